@@ -1,0 +1,47 @@
+// From two image points to one point in space, with its uncertainty.
+#pragma once
+
+#include "geometry/rig.h"
+#include "values/linear.h"
+#include "values/pixel.h"
+#include "values/result.h"
+#include "values/side.h"
+
+namespace tripoint {
+
+/// A measured image point with the covariance of its place.
+struct MeasuredPixel {
+  RawPixel at;
+  Matrix2 covariance_px2 = Matrix2::Identity();
+};
+
+struct TriangulatedPoint {
+  Vec3 in_rig_mm = Vec3::Zero();
+  Matrix3 covariance_mm2 = Matrix3::Zero();  ///< from the image points' covariance alone
+  double chi2 = 0.0;                         ///< weighted squared residual; one degree of freedom
+  PerSide<Vec2> residual_px{Vec2::Zero(), Vec2::Zero()};
+};
+
+/// Maximum-likelihood point: least weighted squared reprojection error in both raw pictures, by Gauss-Newton
+/// from the midpoint of the rays.
+///
+/// @return kNoConvergence       a pixel cannot be undistorted or the iteration does not settle
+///         kRaysAlmostParallel  the rays meet at less than `min_angle_rad`
+///         kBehindCamera        the best point lies behind a camera
+/// Source: Hartley & Sturm 1997, "Triangulation".
+Result<TriangulatedPoint> triangulated(const Rig& rig, const PerSide<MeasuredPixel>& seen, double min_angle_rad = 0.01);
+
+/// How far, in standard deviations, two pixels are from sharing an epipolar plane (Sampson distance).
+/// Source: Hartley & Zisserman 2004, "Multiple View Geometry", eq. 11.9.
+struct EpipolarError {
+  double distance_px = 0.0;  ///< signed, first order
+  double variance_px2 = 0.0;
+};
+Result<EpipolarError> epipolar_error(const Rig& rig, const PerSide<MeasuredPixel>& seen);
+
+/// d(point in rig, mm) / d(calibration parameters) at a measured point: how a calibration error moves it.
+/// The rig frame moves with the parameters, as the definition of the reference frame says.
+Eigen::Matrix<double, 3, 24> calibration_jacobian(const StereoCalibration& calibration,
+                                                  const PerSide<MeasuredPixel>& seen);
+
+}  // namespace tripoint

@@ -1,0 +1,31 @@
+// The line as a reducer: same events, same measurements, on any machine.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "line/align/align.h"
+#include "line/measurement.h"
+#include "line/model.h"
+#include "line/monitor/monitor.h"
+#include "line/observation.h"
+#include "values/forecast.h"
+
+namespace tripoint {
+
+class Line {
+ public:
+  /// Without a model every verdict carries "no calibration".
+  explicit Line(std::shared_ptr<const LineModel> model);
+
+  /// @return nothing when the event brings no verdict
+  std::optional<Measurement> step(const Event& event);
+
+  /// Takes a new model between events: keeps the clocks, drops the motion.
+  void swap_model(std::shared_ptr<const LineModel> model);
+
+  /// What the next pictures should show.
+  [[nodiscard]] Forecast forecast() const;
+};
+
+}  // namespace tripoint

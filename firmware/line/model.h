@@ -1,0 +1,54 @@
+// Everything the line must know to turn image points into a verdict: swapped whole, between events.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "geometry/rig.h"
+#include "values/fixed_vector.h"
+#include "values/forecast.h"
+#include "values/linear.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+enum class OutputFrame : std::uint16_t { kReference = 0, kLeftCamera = 1, kRobotBase = 2 };
+enum class Method : std::uint8_t { kMaximumLikelihood, kPaper };
+
+struct TargetPoint {
+  int id = 1;
+  Vec3 in_target_mm = Vec3::Zero();
+  double uncertainty_mm = 0.05;  ///< k = 2
+};
+struct Target {
+  FixedVector<TargetPoint, kMaxTargetPoints> points;
+};
+
+/// In the output frame; a target outside is a fault, not a measurement. Absent in `replay` without --config.
+struct WorkingVolume {
+  Vec3 min_mm = Vec3::Zero();
+  Vec3 max_mm = Vec3::Zero();
+};
+
+struct Limits {
+  double epipolar_sigmas = 4.5;       ///< gate of a left-right pair
+  double weak_chi2 = 10.83;           ///< residual above which warning 2 is set: chi2(1) at 0.1 %
+  Duration camera_silence{100'000'000}; ///< no frame for so long: the camera counts as lost
+  double timing_bound_mm = 1.0;       ///< standard deviation that time may contribute; above it fault 9
+  double offset_prior_s = 0.010;      ///< standard deviation of the unknown offset between the cameras' stamps
+  double min_angle_rad = 0.01;        ///< between the rays of a point
+};
+
+struct LineModel {
+  StereoCalibration calibration;
+  Rig rig;
+  RigCovariance covariance = RigCovariance::Zero();
+  bool calibration_fits = true;  ///< false: it belongs to other cameras or another picture size (fault 11)
+  Isometry3 output_from_rig = Isometry3::Identity();
+  Target target;
+  std::optional<WorkingVolume> volume;
+  Limits limits;
+  Method method = Method::kMaximumLikelihood;
+};
+
+}  // namespace tripoint

@@ -1,0 +1,73 @@
+// What a camera's thread tells the line: image points, or that the camera has gone or come back.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "values/fixed_vector.h"
+#include "values/forecast.h"
+#include "values/linear.h"
+#include "values/pixel.h"
+#include "values/side.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+/// Identity that a picture itself can show: an AprilTag's id and corner. LEDs have none.
+struct PointLabel {
+  int tag_id = 0;
+  int corner = 0;
+  friend bool operator==(const PointLabel&, const PointLabel&) = default;
+};
+
+struct ImagePoint {
+  RawPixel at;
+  Matrix2 covariance_px2 = Matrix2::Identity();
+  std::optional<PointLabel> label;
+  double amplitude = 0.0;  ///< luma steps above the background
+  double sigma_px = 0.0;   ///< fitted size of the spot
+  double peak = 0.0;       ///< largest luma value
+  bool saturated = false;
+  bool weak = false;
+};
+
+enum class Coverage : std::uint8_t { kWholeFrame, kRegions };
+
+/// What the picture as a whole shows, for registers and diagnosis.
+struct ImageHealth {
+  double mean_luma = 0.0;      ///< of a sparse sample
+  double peak_luma = 0.0;      ///< of the brightest spot
+  double focus = 0.0;          ///< 1 / fitted sigma of the sharpest spot, 1/px
+  bool candidates_cut = false; ///< more candidates than the cap: not everything was looked at
+  bool identical = false;      ///< bit-identical to the picture before: the camera repeats itself
+};
+
+struct Observation {
+  Side side = Side::kLeft;
+  std::uint32_t frame = 0;         ///< the driver's sequence number
+  TimePoint exposed{};             ///< middle of the exposure of row 0, as stamped
+  TimePoint arrived{};
+  Duration line_time{0};           ///< row r was exposed r times this later
+  std::uint64_t forecast_used = 0; ///< number of the forecast, 0 = none
+  Coverage coverage = Coverage::kWholeFrame;
+  FixedVector<ImagePoint, kMaxImagePoints> points;
+  ImageHealth health;
+};
+
+struct CameraLost {
+  Side side = Side::kLeft;
+  TimePoint at{};
+};
+struct CameraBack {
+  Side side = Side::kLeft;
+  TimePoint at{};
+};
+/// Time passes without pictures: lets the line notice silence.
+struct Tick {
+  TimePoint at{};
+};
+
+using Event = std::variant<Observation, CameraLost, CameraBack, Tick>;
+
+}  // namespace tripoint

@@ -1,0 +1,22 @@
+// The clock as a value passed in, so that a test never reads the wall clock.
+#pragma once
+
+#include "values/time.h"
+
+namespace tripoint {
+
+class Clock {
+ public:
+  Clock() = default;
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+  virtual ~Clock() = default;
+
+  [[nodiscard]] virtual TimePoint now() const = 0;
+  /// What to add to a monotonic time to get nanoseconds since 1970 UTC.
+  [[nodiscard]] virtual Duration utc_offset() const = 0;
+  /// True when the operating system says that its wall clock is synchronised.
+  [[nodiscard]] virtual bool synchronised() const = 0;
+};
+
+}  // namespace tripoint

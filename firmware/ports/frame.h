@@ -1,0 +1,54 @@
+// One picture as a camera delivers it, and the same picture as planes that a detector can read.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "values/pixel.h"
+#include "values/side.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+enum class PixelFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
+
+/// A view of a camera's own buffer; valid until the camera is asked for the next frame.
+struct Frame {
+  Side side = Side::kLeft;
+  PixelFormat format = PixelFormat::kYuyv;
+  ImageSize size;
+  std::size_t stride_bytes = 0;  ///< of a row; 0 for MJPEG
+  std::span<const std::uint8_t> data;
+  std::uint32_t sequence = 0;  ///< the driver's number: a dropped frame leaves a gap
+  TimePoint exposed{};         ///< middle of the exposure of row 0
+  TimePoint arrived{};         ///< when the last byte was here
+  Duration line_time{0};       ///< row r is exposed r times this later (rolling shutter)
+};
+
+/// One plane: value (x, y) is data[y * stride_bytes + x * step_bytes].
+struct Plane {
+  const std::uint8_t* data = nullptr;
+  std::size_t stride_bytes = 0;
+  std::size_t step_bytes = 1;
+
+  [[nodiscard]] std::uint8_t at(int x, int y) const {
+    return data[static_cast<std::size_t>(y) * stride_bytes + static_cast<std::size_t>(x) * step_bytes];
+  }
+};
+
+/// A decoded picture: full-size luma, chroma at half width and, when `chroma_rows_halved`, half height.
+/// Chroma planes are absent (null) for GREY. In YUYV all three look into the camera's buffer.
+struct Picture {
+  ImageSize size;
+  Plane luma;
+  Plane u;
+  Plane v;
+  bool chroma_rows_halved = false;
+  bool interleaved_yuyv = false;  ///< luma.data is the start of a YUYV buffer
+};
+
+/// The planes of an unpacked YUYV or GREY frame, without copying. MJPEG needs capture's decoder.
+Picture picture_of(const Frame& frame);
+
+}  // namespace tripoint

@@ -1,0 +1,30 @@
+// Where each point of the target will be: what flows back from the line to the detectors, as a numbered value.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "values/fixed_vector.h"
+#include "values/linear.h"
+#include "values/pixel.h"
+#include "values/side.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+inline constexpr std::size_t kMaxImagePoints = 48;   ///< spots or tag corners of one picture
+inline constexpr std::size_t kMaxTargetPoints = 12;  ///< points of one target
+
+struct ForecastPoint {
+  int id = 0;
+  PerSide<RawPixel> at;
+  PerSide<Matrix2> covariance_px2;
+};
+
+struct Forecast {
+  std::uint64_t number = 0;  ///< 0: no forecast yet
+  TimePoint at{};
+  FixedVector<ForecastPoint, kMaxImagePoints> points;
+};
+
+}  // namespace tripoint
