@@ -1,0 +1,50 @@
+#include "pictures.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace tripoint::uvc {
+namespace {
+
+std::vector<Bytes> files_in(const std::filesystem::path& folder, const std::string& extension) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == extension) paths.push_back(entry.path());
+  }
+  std::ranges::sort(paths);
+  std::vector<Bytes> files;
+  for (const auto& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    files.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  if (files.empty()) throw std::runtime_error(folder.string() + ": no *" + extension);
+  return files;
+}
+
+}  // namespace
+
+Pictures pictures_from(const RecordingFolders& folders, const std::string& side) {
+  Pictures pictures{files_in(folders.yuyv / side, ".yuyv"), files_in(folders.mjpeg / side, ".jpg")};
+  for (const Bytes& picture : pictures.yuyv) {
+    if (picture.size() != kYuyvBytes) throw std::runtime_error(folders.yuyv.string() + ": pictures must be 640x480");
+  }
+  if (pictures.yuyv.size() != pictures.mjpeg.size()) throw std::runtime_error("the two recordings differ in length");
+  return pictures;
+}
+
+bool Playlist::show(std::size_t first, std::size_t count) {
+  if (count == 0 || first >= pictures_ || count > pictures_ - first) return false;
+  const std::scoped_lock lock(guard_);
+  first_ = first;
+  count_ = count;
+  return true;
+}
+
+std::size_t Playlist::picture_of(std::uint64_t frame) const {
+  const std::scoped_lock lock(guard_);
+  return first_ + frame % count_;
+}
+
+}  // namespace tripoint::uvc
