@@ -1,0 +1,84 @@
+// One frame as a camera of the simulated world takes it, and the truth that went into it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ports/frame.h"
+#include "sim/developing.h"
+#include "sim/sensor.h"
+#include "sim/spot.h"
+#include "sim/world.h"
+
+namespace tripoint {
+
+/// One light source in one picture, at the middle of the exposure of the very row in which it appears.
+struct LightTruth {
+  int id = 0;
+  RawPixel at;
+  Duration exposed_since_1970{0};
+  Vec3 in_reference_mm = Vec3::Zero();
+  double core_sigma_px = 0.0;
+  double peak = 0.0;     ///< of the core in this picture, times clip
+  bool visible = false;  ///< in front of the camera and inside the picture; otherwise `at` may be anything
+};
+
+struct FrameTruth {
+  Side side = Side::kLeft;
+  Duration exposed_since_1970{0};  ///< middle of the exposure of row 0
+  TimePoint exposed{};             ///< the same on the monotonic clock; 0 when rendered offline
+  TimePoint stamp{};               ///< what the camera says instead; 0 when rendered offline
+  Isometry3 reference_from_target = Isometry3::Identity();  ///< at the exposure of row 0
+  std::vector<LightTruth> lights;                           ///< in the scene's order
+};
+
+struct RenderedFrame {
+  PixelFormat format = PixelFormat::kYuyv;
+  ImageSize size;
+  std::size_t stride_bytes = 0;  ///< of a row; 0 for MJPEG
+  std::vector<std::uint8_t> pixels;
+  FrameTruth truth;
+};
+
+/// Renders frames of one camera; keeps its buffers between frames. The world must outlive it.
+class FrameRenderer {
+ public:
+  FrameRenderer(const SimulatedWorld& world, Side side);
+
+  /// The frame whose row 0 has its middle of exposure at this time. Its noise depends on the world's seed, the side
+  /// and `number` alone, so that the same call gives the same bytes.
+  const RenderedFrame& render(Duration exposed_since_1970, std::uint64_t number);
+
+  /// Mean light under the mosaic of the frame last rendered, before noise, conversion and clipping.
+  [[nodiscard]] const LightPlane& light() const { return light_; }
+  [[nodiscard]] const RawPlane& raw() const { return raw_; }
+
+ private:
+  struct Sight {
+    RawPixel at;
+    double depth_mm;
+    Vec3 in_reference_mm;
+  };
+  [[nodiscard]] std::optional<Sight> sight_of(const LightSource& light, Duration since_1970) const;
+  LightTruth add_light(const LightSource& light, Duration exposed_since_1970);
+  void add_gaussian(const LightSource& light, const LightTruth& truth, double sigma_px, const LinearColor& energy);
+  void expose(std::uint64_t number);
+  void encode();
+
+  const SimulatedWorld& world_;
+  Side side_;
+  LightPlane light_;
+  RawPlane raw_;
+  Developer developer_;
+  YuyvPacker packer_;
+  RenderedFrame frame_;
+};
+
+/// One frame by itself, for tests and offline rendering.
+RenderedFrame render(const SimulatedWorld& world, Side side, Duration exposed_since_1970, std::uint64_t number = 0);
+
+/// A rendered frame as a camera hands it out; it views `rendered`.
+Frame frame_of(const RenderedFrame& rendered);
+
+}  // namespace tripoint

@@ -1,0 +1,14 @@
+#include "sim/scene.h"
+
+namespace tripoint {
+
+Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak) {
+  Scene scene;
+  int id = 0;
+  for (const Vec3& place_mm : places_in_target_mm) {
+    scene.lights.push_back({.id = ++id, .place_mm = place_mm, .peak = peak});
+  }
+  return scene;
+}
+
+}  // namespace tripoint

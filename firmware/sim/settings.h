@@ -1,0 +1,58 @@
+// What can be chosen about the simulation: motion, scene, cameras, clocks, and what goes wrong when.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/rig.h"
+#include "ports/frame.h"
+#include "sim/default_rig.h"
+#include "sim/jpeg_encoder.h"
+#include "sim/scene.h"
+#include "sim/sensor.h"
+#include "sim/trajectory.h"
+#include "values/side.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+/// How one camera's own clock runs, and how well the driver's stamps follow it.
+struct CameraClock {
+  Duration phase{0};          ///< of frame 0 after the world's start
+  double drift_ppm = 0.0;     ///< positive: its frames come too slowly
+  Duration stamp_jitter{0};   ///< standard deviation, normal, cut at 4 of them
+  Duration stamp_latency{0};  ///< by which every stamp is late
+};
+
+enum class Trouble : std::uint8_t {
+  kVanish,   ///< unplugged: the open camera is lost for good, and none can be opened
+  kHang,     ///< no frames, no error
+  kRepeat,   ///< the same picture again and again, with fresh stamps
+  kCorrupt,  ///< MJPEG cut off in the middle; other formats arrive as kCorruptFrame
+};
+
+/// One thing that goes wrong, from and to a time after the world's start.
+struct PlannedTrouble {
+  Side side = Side::kLeft;
+  Trouble trouble = Trouble::kVanish;
+  Duration from{0};
+  Duration to{0};
+};
+
+struct SimulationSettings {
+  Trajectory trajectory = paper_circular();
+  Scene scene = led_scene({Vec3::Zero()});
+  StereoCalibration rig = default_rig();  ///< the truth; its sizes are the pictures' sizes
+  SensorModel sensor;
+  PixelFormat format = PixelFormat::kYuyv;
+  ChromaSampling mjpeg_sampling = ChromaSampling::k422;
+  int mjpeg_quality = 90;
+  double rate_hz = 30.0;
+  Duration exposure{std::chrono::milliseconds{5}};
+  Duration line_time{std::chrono::microseconds{30}};  ///< row r is exposed r times this later
+  PerSide<CameraClock> clocks;
+  std::vector<PlannedTrouble> troubles;
+  std::uint64_t seed = 1;
+};
+
+}  // namespace tripoint
