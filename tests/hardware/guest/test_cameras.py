@@ -1,0 +1,86 @@
+"""The simulated cameras alone, seen by v4l2-ctl through the stock driver: can the other tests trust them?"""
+
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from cameras import SERIALS, SIDES, load_drivers, node_of
+from environment import environment
+
+EXTENSIONS = {"YUYV": "yuyv", "MJPG": "jpg"}
+
+
+def v4l2(node: str, *options: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["v4l2-ctl", "-d", node, *options], capture_output=True, text=True, timeout=60)
+
+
+class CamerasTest(unittest.TestCase):
+    def setUp(self) -> None:
+        load_drivers()
+        self.world = environment()
+        self.nodes = {side: self.world.cameras.plug(side) for side in SIDES}
+
+    def tearDown(self) -> None:
+        for side in SIDES:
+            if node_of(side):
+                self.world.cameras.unplug(side)
+
+    def pictures(self, format_name: str, side: str) -> set[bytes]:
+        files = (self.world.recordings[format_name] / side).glob(f"*.{EXTENSIONS[format_name]}")
+        return {file.read_bytes() for file in files}
+
+    def captured(self, format_name: str, side: str) -> bytes:
+        """One frame, as the driver hands it out."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "frame"
+            wanted = f"width=640,height=480,pixelformat={format_name}"
+            run = v4l2(self.nodes[side], f"--set-fmt-video={wanted}", "--stream-mmap", "--stream-skip=2", "--stream-count=1",
+                       f"--stream-to={file}")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            return file.read_bytes()
+
+    def test_frames_arrive_byte_for_byte_in_both_formats(self) -> None:
+        for format_name in EXTENSIONS:
+            for side in SIDES:
+                with self.subTest(format=format_name, side=side):
+                    self.assertIn(self.captured(format_name, side), self.pictures(format_name, side))
+
+    def test_manual_exposure_is_refused_while_automatic_and_held_afterwards(self) -> None:
+        node = self.nodes["left"]
+        v4l2(node, "--set-ctrl=exposure_time_absolute=20")
+        self.assertNotEqual(self.world.cameras.settings("left")["exposure_time"], 20)
+        v4l2(node, "--set-ctrl=auto_exposure=1")
+        v4l2(node, "--set-ctrl=exposure_time_absolute=20,gain=33")
+        held = self.world.cameras.settings("left")
+        self.assertEqual((held["exposure_mode"], held["exposure_time"], held["gain"]), (1, 20, 33))
+        self.assertEqual(self.world.cameras.settings("right")["gain"], 64)
+
+    def test_unplugging_ends_a_stream_and_plugging_brings_the_camera_back(self) -> None:
+        stream = subprocess.Popen(["v4l2-ctl", "-d", self.nodes["left"], "--stream-mmap"], stderr=subprocess.DEVNULL)
+        time.sleep(3)
+        self.assertIsNone(stream.poll(), "it should still stream")
+        self.world.cameras.unplug("left")
+        stream.wait(timeout=30)
+        self.assertIsNotNone(node_of("right"), "only the left one was pulled out")
+        self.world.cameras.plug("left")
+        self.nodes["left"] = node_of("left") or ""
+        self.assertIn(self.captured("MJPG", "left"), self.pictures("MJPG", "left"))
+
+    def test_a_hung_camera_sends_nothing_until_it_is_released(self) -> None:
+        self.assertEqual(self.world.cameras.order("hang right"), "done")
+        stream = subprocess.Popen(["v4l2-ctl", "-d", self.nodes["right"], "--stream-mmap", "--stream-count=1"],
+                                  stderr=subprocess.DEVNULL)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            stream.wait(timeout=5)
+        self.assertEqual(self.world.cameras.order("resume right"), "done")
+        self.assertEqual(stream.wait(timeout=30), 0)
+
+    def test_serials_are_those_that_the_configuration_binds(self) -> None:
+        found = {file.read_text().strip() for file in Path("/sys/bus/usb/devices").glob("*/serial")}
+        self.assertLessEqual(set(SERIALS.values()), found)
+
+
+if __name__ == "__main__":
+    unittest.main()
