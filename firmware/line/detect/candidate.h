@@ -1,0 +1,69 @@
+// Every place the detector looked at, and why it was kept or dropped.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "values/fixed_vector.h"
+#include "values/pixel.h"
+
+namespace tripoint {
+
+enum class DropCause : std::uint8_t {
+  kKept,
+  kSeenBefore,    ///< the same spot, reached from another cell
+  kDim,           ///< peak below `min_peak`
+  kNoFalloff,     ///< as bright all around: a surface, not a spot
+  kNoContrast,    ///< hardly above its background
+  kTooLarge,      ///< reaches the border of the largest window: a surface or a halo over 40 px
+  kTooSmall,      ///< a single pixel
+  kElongated,     ///< aspect: a cable, an edge, a reflection, two merged spots
+  kNoSurround,    ///< too close to the border to know its surroundings
+  kCrowded,       ///< the surroundings are bright too
+  kNotRedder,     ///< not redder than its surroundings
+  kNotRed,        ///< the flank is white or warm, not red
+  kNotEmitting,   ///< a red thing that reflects, not one that shines
+  kFitFailed,     ///< too few visible pixels, or the fit left the spot
+  kPoorFit,       ///< not a Gaussian: partly hidden, merged, or a patch with a flat top
+  kWrongSize,     ///< sigma out of range
+  kWeak,          ///< amplitude below `min_amplitude`
+  kCutByBorder,   ///< the picture ends inside the spot
+  kWrongProfile,  ///< sigma and area contradict each other
+  kNoRoom,        ///< the list of points is full
+};
+inline constexpr std::array<std::string_view, 20> kDropCauseNames{
+    "kept",      "seen_before", "dim",     "no_falloff",    "no_contrast",   "too_large",    "too_small",
+    "elongated", "no_surround", "crowded", "not_redder",    "not_red",       "not_emitting", "fit_failed",
+    "poor_fit",  "wrong_size",  "weak",    "cut_by_border", "wrong_profile", "no_room"};
+
+constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
+
+/// What was measured at one place, as far as the gates let it come; later fields stay 0.
+struct Candidate {
+  DropCause cause = DropCause::kKept;
+  int start_u_px = 0;  ///< the pixel at which looking began
+  int start_v_px = 0;
+  RawPixel at;             ///< the best known place: start, centre of the area, or the fit's centre
+  float peak = 0.0F;       ///< S
+  float contrast = 0.0F;   ///< S above the background
+  float level = 0.0F;      ///< of the contrast, at which the spot stood alone
+  float radius_px = 0.0F;  ///< of the circle with the spot's area at that level
+  float aspect = 0.0F;
+  float crowding = 0.0F;
+  float red_step = 0.0F;      ///< V
+  float surround_red = 0.0F;  ///< V
+  float redness = 0.0F;       ///< dV/dY
+  float emission = 0.0F;      ///< dY/dS
+  float sigma_px = 0.0F;
+  float amplitude = 0.0F;  ///< luma steps, of the brightest visible pixel
+  float residual = 0.0F;   ///< of the amplitude
+  int clipped_pixels = 0;
+};
+
+/// Room for every candidate and for a second look beside each accepted one.
+inline constexpr std::size_t kMaxCandidates = 256;
+using CandidateLog = FixedVector<Candidate, kMaxCandidates>;
+
+}  // namespace tripoint

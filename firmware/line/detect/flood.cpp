@@ -1,0 +1,74 @@
+#include "line/detect/flood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tripoint {
+namespace {
+
+struct Sums {
+  long n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+
+  void add(int column, int row) {
+    n += 1;
+    x += column;
+    y += row;
+    xx += column * column;
+    yy += row * row;
+    xy += column * row;
+  }
+};
+
+Area area_from(const Sums& sums) {
+  constexpr double kOfPixel = 1.0 / 12.0;
+  const auto n = static_cast<double>(sums.n);
+  const double x = static_cast<double>(sums.x) / n;
+  const double y = static_cast<double>(sums.y) / n;
+  const double xx = static_cast<double>(sums.xx) / n - x * x + kOfPixel;
+  const double yy = static_cast<double>(sums.yy) / n - y * y + kOfPixel;
+  const double xy = static_cast<double>(sums.xy) / n - x * y;
+  const double difference = std::hypot(xx - yy, 2.0 * xy);
+  return {.pixels = static_cast<int>(sums.n),
+          .column = x,
+          .row = y,
+          .long_axis_px = std::sqrt(0.5 * (xx + yy + difference)),
+          .short_axis_px = std::sqrt(std::max(0.5 * (xx + yy - difference), 0.02))};
+}
+
+}  // namespace
+
+double Area::radius_px() const { return std::sqrt(pixels / std::numbers::pi); }
+
+Area Flood::spread(const SpotWindow& window, std::size_t seed, int level) {
+  constexpr std::size_t kStride = SpotWindow::kStride;
+  for (int row = 0; row < window.rows(); ++row) {
+    std::fill_n(marked_.begin() + static_cast<std::ptrdiff_t>(SpotWindow::index(0, row)), window.columns(),
+                std::uint8_t{0});
+  }
+  Sums sums;
+  bool cut = false;
+  std::size_t waiting = 0;
+  marked_[seed] = 1;
+  stack_[waiting++] = static_cast<std::uint16_t>(seed);
+  while (waiting > 0) {
+    const std::size_t here = stack_[--waiting];
+    const int row = static_cast<int>(here / kStride);
+    const int column = static_cast<int>(here % kStride);
+    if (column == 0 || row == 0 || column == window.columns() - 1 || row == window.rows() - 1) {
+      return {.leaves_window = true};
+    }
+    sums.add(column, row);
+    for (const std::size_t next : {here - 1, here + 1, here - kStride, here + kStride}) {
+      cut |= window.outside(next);
+      if (marked_[next] != 0 || window.strength(next) < level) continue;
+      marked_[next] = 1;
+      stack_[waiting++] = static_cast<std::uint16_t>(next);
+    }
+  }
+  Area area = area_from(sums);
+  area.cut_by_border = cut;
+  return area;
+}
+
+}  // namespace tripoint

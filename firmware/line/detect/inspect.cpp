@@ -1,0 +1,247 @@
+#include "line/detect/inspect.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tripoint {
+namespace {
+
+constexpr std::array<double, 3> kLevels{0.5, 0.7,
+                                        0.85};  ///< of the contrast: a spot beside another stands alone higher up
+constexpr double kAloneAspect = 1.82;           ///< longer than this, the next level is tried
+constexpr double kSplitLevel = 0.6;             ///< above it only the top of the spot stood alone
+constexpr double kRoundAspect = 1.35;           ///< a longer spot is measured with doubt
+
+/// Half-windows in which a spot may fit; halos and big spots need the larger ones.
+std::array<int, 3> half_windows(int width_px) {
+  if (width_px > 1000) return {8, 20, 40};
+  if (width_px > 400) return {8, 15, 28};
+  return {8, 15, 20};
+}
+
+int rough_strength(const Picture& picture, int u_px, int v_px) {
+  const int chroma_row = picture.chroma_rows_halved ? v_px / 2 : v_px;
+  return 3 * picture.luma.at(u_px, v_px) + 4 * picture.v.at(u_px / 2, chroma_row);
+}
+
+bool in_picture(const Picture& picture, int u_px, int v_px) {
+  return u_px >= 0 && v_px >= 0 && u_px < picture.size.width_px && v_px < picture.size.height_px;
+}
+
+int brightest_near(const Picture& picture, PixelPlace start) {
+  int brightest = 0;
+  for (int dv = -2; dv <= 2; ++dv) {
+    for (int du = -2; du <= 2; ++du) {
+      const int u = start.u_px + du;
+      const int v = start.v_px + dv;
+      if (in_picture(picture, u, v)) brightest = std::max(brightest, rough_strength(picture, u, v));
+    }
+  }
+  return brightest;
+}
+
+/// A spot: at one of the radii at least 6 of 8 directions are below the level.
+bool falls_below(const Picture& picture, PixelPlace start, int level) {
+  constexpr std::array<int, 4> kRadii{4, 8, 16, 30};
+  constexpr std::array<std::array<int, 2>, 8> kDirections{
+      {{10, 0}, {7, 7}, {0, 10}, {-7, 7}, {-10, 0}, {-7, -7}, {0, -10}, {7, -7}}};
+  return std::any_of(kRadii.begin(), kRadii.end(), [&](int radius) {
+    const auto low = std::count_if(kDirections.begin(), kDirections.end(), [&](const std::array<int, 2>& d) {
+      const int u = start.u_px + d[0] * radius / 10;
+      const int v = start.v_px + d[1] * radius / 10;
+      return !in_picture(picture, u, v) || rough_strength(picture, u, v) < level;
+    });
+    return low >= 6;
+  });
+}
+
+}  // namespace
+
+Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
+  seen_ = {};
+  seen_.start_u_px = start.u_px;
+  seen_.start_v_px = start.v_px;
+  seen_.at = {static_cast<double>(start.u_px), static_cast<double>(start.v_px)};
+  point_.reset();
+  seen_.cause = judge(picture);
+  return {seen_, seen_.cause == DropCause::kKept ? point_ : std::nullopt};
+}
+
+DropCause Inspector::judge(const Picture& picture) {
+  using Gate = DropCause (Inspector::*)(const Picture&);
+  constexpr std::array<Gate, 4> kGates{&Inspector::stand_out, &Inspector::isolate, &Inspector::compare_with_surround,
+                                       &Inspector::fit};
+  for (const Gate gate : kGates) {
+    const DropCause cause = (this->*gate)(picture);
+    if (cause != DropCause::kKept) return cause;
+  }
+  return DropCause::kKept;
+}
+
+DropCause Inspector::stand_out(const Picture& picture) {
+  const PixelPlace start{seen_.start_u_px, seen_.start_v_px};
+  const int peak = brightest_near(picture, start);
+  seen_.peak = static_cast<float>(peak);
+  if (peak < settings_.min_peak) return DropCause::kDim;
+  return falls_below(picture, start, peak - settings_.falloff) ? DropCause::kKept : DropCause::kNoFalloff;
+}
+
+void Inspector::find_peak() {
+  constexpr int kAsRed = 40;  // V: a brighter neighbour that is much less red is another thing
+  const int column = seen_.start_u_px - window_.left_px();
+  const int row = seen_.start_v_px - window_.top_px();
+  const int red = window_.red(SpotWindow::index(column, row));
+  int strongest = SpotWindow::kOutside;
+  for (int y = row - 2; y <= row + 2; ++y) {
+    for (int x = column - 2; x <= column + 2; ++x) {
+      const std::size_t i = SpotWindow::index(x, y);
+      if (window_.strength(i) <= strongest || window_.red(i) < red - kAsRed) continue;
+      strongest = window_.strength(i);
+      peak_ = {window_.left_px() + x, window_.top_px() + y};
+    }
+  }
+  seen_.peak = static_cast<float>(strongest);
+  seen_.red_step = static_cast<float>(red);
+}
+
+bool Inspector::spread_alone(int background) {
+  const std::size_t seed = SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px());
+  for (const double level : kLevels) {
+    seen_.level = static_cast<float>(level);
+    threshold_ = background + static_cast<int>(level * static_cast<double>(seen_.contrast));
+    area_ = flood_.spread(window_, seed, threshold_);
+    if (!area_.leaves_window && area_.aspect() <= kAloneAspect) return true;
+  }
+  return !area_.leaves_window;
+}
+
+DropCause Inspector::isolate(const Picture& picture) {
+  bool alone = false;
+  const auto halves = half_windows(picture.size.width_px);
+  for (const int half : halves) {
+    window_.load(picture, seen_.start_u_px, seen_.start_v_px, half);
+    if (half == halves.front()) find_peak();
+    const int background = meter_.background(window_);
+    if (background == SpotWindow::kOutside) return DropCause::kNoSurround;
+    seen_.contrast = seen_.peak - static_cast<float>(background);
+    if (seen_.contrast < static_cast<float>(settings_.min_contrast)) return DropCause::kNoContrast;
+    alone = spread_alone(background);
+    if (alone) break;
+  }
+  if (!alone) return DropCause::kTooLarge;
+  seen_.at = {window_.left_px() + area_.column, window_.top_px() + area_.row};
+  seen_.radius_px = static_cast<float>(area_.radius_px());
+  seen_.aspect = static_cast<float>(area_.aspect());
+  if (area_.pixels < 2) return DropCause::kTooSmall;
+  if (area_.cut_by_border) return DropCause::kCutByBorder;
+  return area_.aspect() > settings_.max_aspect ? DropCause::kElongated : DropCause::kKept;
+}
+
+DropCause Inspector::compare_with_surround(const Picture& picture) {
+  const auto center_u = static_cast<int>(std::lround(seen_.at.u_px));
+  const auto center_v = static_cast<int>(std::lround(seen_.at.v_px));
+  const int needed = static_cast<int>(std::ceil(surround_reach_px(area_))) + 1;
+  window_.load(picture, center_u, center_v, std::min(needed, SpotWindow::kMaxHalf));
+  area_ = flood_.spread(window_, SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()),
+                        threshold_);
+  const int peak = static_cast<int>(seen_.peak);
+  around_ = meter_.measure(window_, area_, peak);
+  if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;
+  seen_.contrast = static_cast<float>(peak - around_.strength);
+  seen_.crowding = static_cast<float>(around_.crowding);
+  seen_.red_step -= static_cast<float>(around_.red);
+  seen_.surround_red = static_cast<float>(around_.red);
+  if (around_.crowding > settings_.max_crowding) return DropCause::kCrowded;
+  if (seen_.red_step < static_cast<float>(settings_.min_red_step)) return DropCause::kNotRedder;
+  seen_.redness = static_cast<float>(redness_of_flank(window_, area_, around_, peak));
+  if (seen_.redness < static_cast<float>(settings_.min_redness)) return DropCause::kNotRed;
+  seen_.emission = static_cast<float>(emission_of_area(window_, flood_, around_));
+  return seen_.emission < static_cast<float>(settings_.min_emission) ? DropCause::kNotEmitting : DropCause::kKept;
+}
+
+void Inspector::fill_fit_window(Channel channel) {
+  const int reach = std::clamp(static_cast<int>(std::ceil(2.0 * area_.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
+  const auto center_column = static_cast<int>(std::lround(area_.column));
+  const auto center_row = static_cast<int>(std::lround(area_.row));
+  fit_left_ = std::max(0, center_column - reach);
+  fit_top_ = std::max(0, center_row - reach);
+  const int right = std::min(window_.columns() - 1, center_column + reach);
+  const int bottom = std::min(window_.rows() - 1, center_row + reach);
+  fit_window_.resize(right - fit_left_ + 1, bottom - fit_top_ + 1);
+  const double reach2 = (reach + 0.5) * (reach + 0.5);
+  seen_.clipped_pixels = 0;
+  peak_luma_ = 0;
+  for (int row = fit_top_; row <= bottom; ++row) {
+    for (int column = fit_left_; column <= right; ++column) {
+      const double d2 = (column - area_.column) * (column - area_.column) + (row - area_.row) * (row - area_.row);
+      const std::size_t i = SpotWindow::index(column, row);
+      if (d2 > reach2 || window_.outside(i)) continue;
+      const bool clipped = window_.strength(i) >= settings_.clip || window_.luma(i) >= settings_.luma_clip;
+      seen_.clipped_pixels += clipped ? 1 : 0;
+      peak_luma_ = std::max(peak_luma_, window_.luma(i));
+      const float value = channel == Channel::kLuma ? static_cast<float>(window_.luma(i))
+                                                    : 0.25F * static_cast<float>(window_.strength(i));
+      fit_window_.set(column - fit_left_, row - fit_top_, value, clipped ? 0.0F : 1.0F);
+    }
+  }
+}
+
+std::optional<SpotFit> Inspector::fit_channel(Channel channel) {
+  fill_fit_window(channel);
+  const double background = channel == Channel::kLuma ? around_.luma : 0.25 * around_.strength;
+  const SpotModel start = threshold_subtracted_start(fit_window_, background);
+  auto spot = fit_spot(fit_window_, start);
+  if (!spot) return std::nullopt;
+  const double allowed_px = 0.5 * area_.radius_px() + 0.7;
+  const bool stayed = std::abs(fit_left_ + spot->model.column - area_.column) < allowed_px &&
+                      std::abs(fit_top_ + spot->model.row - area_.row) < allowed_px;
+  return stayed ? spot : std::nullopt;
+}
+
+DropCause Inspector::fit(const Picture& picture) {
+  Channel channel = Channel::kLuma;
+  auto spot = fit_channel(channel);
+  if (!spot || spot->visible_amplitude < settings_.weak_amplitude) {
+    channel = Channel::kStrength;
+    spot = fit_channel(channel);
+  }
+  if (!spot) return DropCause::kFitFailed;
+  const DropCause cause = check_fit(*spot, picture);
+  if (cause == DropCause::kKept) make_point(*spot, channel);
+  return cause;
+}
+
+DropCause Inspector::check_fit(const SpotFit& spot, const Picture& picture) {
+  const double amplitude = std::max(spot.visible_amplitude, 1.0);
+  seen_.at = {window_.left_px() + fit_left_ + spot.model.column, window_.top_px() + fit_top_ + spot.model.row};
+  seen_.sigma_px = static_cast<float>(spot.model.sigma_px);
+  seen_.amplitude = static_cast<float>(spot.visible_amplitude);
+  seen_.residual = static_cast<float>(spot.noise / amplitude);
+  if (spot.noise > settings_.max_residual * amplitude) return DropCause::kPoorFit;
+  const double largest_px = std::max(settings_.max_sigma_px, settings_.max_sigma_of_width * picture.size.width_px);
+  if (spot.model.sigma_px < settings_.min_sigma_px || spot.model.sigma_px > largest_px) return DropCause::kWrongSize;
+  const double radius_of_fit_px = spot.model.sigma_px * std::sqrt(-2.0 * std::log(static_cast<double>(seen_.level)));
+  const double share = radius_of_fit_px / area_.radius_px();
+  return share < 0.3 || share > 1.35 ? DropCause::kWrongProfile : DropCause::kKept;
+}
+
+void Inspector::make_point(const SpotFit& spot, Channel channel) {
+  const bool by_strength = channel == Channel::kStrength;
+  double doubt_px2 = settings_.floor_px * settings_.floor_px;
+  if (static_cast<double>(seen_.level) > kSplitLevel || by_strength) {
+    doubt_px2 += settings_.split_floor_px * settings_.split_floor_px;
+  }
+  const double stretched = 0.5 * std::max(0.0, area_.aspect() - kRoundAspect);
+  doubt_px2 += stretched * stretched;
+  point_ = ImagePoint{.at = seen_.at,
+                      .covariance_px2 = spot.covariance_px2 + doubt_px2 * Matrix2::Identity(),
+                      .label = std::nullopt,
+                      .amplitude = spot.visible_amplitude,
+                      .sigma_px = spot.model.sigma_px,
+                      .peak = static_cast<double>(peak_luma_),
+                      .saturated = seen_.clipped_pixels > 0,
+                      .weak = by_strength};
+}
+
+}  // namespace tripoint

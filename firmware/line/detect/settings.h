@@ -1,0 +1,39 @@
+// What counts as a red LED. Every default is a measured one; [detector] in the configuration may change it.
+#pragma once
+
+namespace tripoint {
+
+/// Strength is S = 3 Y + 4 V', V' being V interpolated in x: almost the red channel, and monotone also where V has a
+/// hole because the core is clipped. Candidates are judged on S and measured on Y.
+///
+/// Source of the defaults: rendered stereo scenes with lamps, skin, orange and red objects; tuned on one range of
+/// seeds and scored on another (docs/decisions).
+struct LedDetectorSettings {
+  // Selection on the coarse map of V.
+  int min_red = 139;         ///< of V: 11 above grey
+  int ring_step = 8;         ///< V: a ring cell this much below the centre counts as dark
+  int max_ring_cells = 8;    ///< of the 16 ring cells, how many may be as bright as the centre
+  int max_candidates = 200;  ///< looked at in one picture; more are cut and reported
+  // Gates.
+  int min_peak = 850;          ///< S: red at about 45 % of full scale
+  int falloff = 60;            ///< S: how far a spot falls within 4 to 30 px
+  int min_contrast = 45;       ///< S above the background
+  double max_crowding = 0.45;  ///< share of the surroundings that is bright too
+  int min_red_step = 8;        ///< V of the peak above V of the surroundings
+  double min_redness = 0.5;    ///< dV/dY over the flank: a red LED has about 1.7, a warm reflection 0.2 to 0.5
+  double min_emission = 0.0;   ///< dY/dS over the spot: a red object on a lighter ground has about -0.1
+  double max_aspect = 1.9;     ///< long over short axis
+  double max_residual = 0.30;  ///< RMS of the fit over the amplitude
+  double min_sigma_px = 0.55;
+  double max_sigma_px = 4.0;
+  double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds
+  double weak_amplitude = 12.0;       ///< Y: below it S is measured instead of Y, and the spot is marked weak
+  double min_amplitude = 20.0;        ///< S/4: below it the spot is refused
+  // Measuring.
+  int clip = 1160;               ///< S: the red channel is clipped above (1206 in BT.601 limited range, 1248 in JPEG's)
+  int luma_clip = 233;           ///< Y: all three channels are clipped above
+  double floor_px = 0.10;        ///< standard deviation per axis of what the fit cannot see: demosaicing, chroma, shape
+  double split_floor_px = 0.15;  ///< more of it where only the top of a spot stands alone, or S was measured
+};
+
+}  // namespace tripoint

@@ -1,0 +1,207 @@
+#include "line/detect/spot_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "line/detect/spot_profile.h"
+#include "line/detect/vectors.h"
+#include "values/assert.h"
+
+namespace tripoint {
+namespace {
+
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+
+constexpr int kMaxSteps = 7;
+constexpr int kFewestPixels = 12;
+constexpr double kSettled_px = 0.003;
+constexpr double kDamping = 1e-3;
+constexpr double kLargestAmplitude = 20'000.0;
+
+/// Normal equations for (column A, row A, A, background, sigma A): scaling by the amplitude A keeps them balanced.
+struct Normal {
+  Matrix5 matrix = Matrix5::Zero();
+  Vector5 gradient = Vector5::Zero();
+  double squares = 0.0;
+  double pixels = 0.0;
+  double visible = 0.0;  ///< largest model value with weight, over the amplitude
+};
+
+double sum(Floats4 v) {
+  return static_cast<double>(v[0]) + static_cast<double>(v[1]) + static_cast<double>(v[2]) + static_cast<double>(v[3]);
+}
+
+/// Sums over one row of products of the profile e and its derivatives d (centre) and q (sigma), and of residuals r.
+struct RowSums {
+  Floats4 w{}, e{}, d{}, q{}, ee{}, ed{}, eq{}, dd{}, dq{}, qq{}, r{}, re{}, rd{}, rq{};
+};
+
+struct Accumulator {
+  std::array<Floats4, 15> matrix{};  // upper triangle, row by row
+  std::array<Floats4, 5> gradient{};
+  Floats4 squares{};
+  Floats4 pixels{};
+  Floats4 visible{};
+
+  void add(const RowSums& s, float e, float d, float q) {
+    matrix[0] += s.dd * (e * e);
+    matrix[1] += s.ed * (e * d);
+    matrix[2] += s.ed * (e * e);
+    matrix[3] += s.d * e;
+    matrix[4] += s.dq * (e * e) + s.ed * (e * q);
+    matrix[5] += s.ee * (d * d);
+    matrix[6] += s.ee * (d * e);
+    matrix[7] += s.e * d;
+    matrix[8] += s.eq * (d * e) + s.ee * (d * q);
+    matrix[9] += s.ee * (e * e);
+    matrix[10] += s.e * e;
+    matrix[11] += s.eq * (e * e) + s.ee * (e * q);
+    matrix[12] += s.w;
+    matrix[13] += s.q * e + s.e * q;
+    matrix[14] += s.qq * (e * e) + s.eq * (2.0F * e * q) + s.ee * (q * q);
+    gradient[0] += s.rd * e;
+    gradient[1] += s.re * d;
+    gradient[2] += s.re * e;
+    gradient[3] += s.r;
+    gradient[4] += s.rq * e + s.re * q;
+    pixels += s.w;
+  }
+
+  [[nodiscard]] Normal total() const {
+    Normal normal;
+    std::size_t k = 0;
+    for (int row = 0; row < 5; ++row) {
+      for (int column = row; column < 5; ++column) {
+        normal.matrix(row, column) = normal.matrix(column, row) = sum(matrix[k++]);
+      }
+      normal.gradient(row) = sum(gradient[static_cast<std::size_t>(row)]);
+    }
+    normal.squares = sum(squares);
+    normal.pixels = sum(pixels);
+    for (int i = 0; i < 4; ++i) normal.visible = std::max(normal.visible, static_cast<double>(visible[i]));
+    return normal;
+  }
+};
+
+Normal normal_equations(const FitWindow& window, const SpotModel& model) {
+  const AxisProfile across(window.columns(), model.column, model.sigma_px);
+  const AxisProfile down(window.rows(), model.row, model.sigma_px);
+  const auto amplitude = static_cast<float>(model.amplitude);
+  const auto background = static_cast<float>(model.background);
+  Accumulator total;
+  for (int row = 0; row < window.rows(); ++row) {
+    const float e_row = down.value(row);
+    const float scale = amplitude * e_row;
+    RowSums s;
+    for (int i = 0; i < window.columns(); i += 4) {
+      const auto w = load<Floats4>(window.weights(row) + i);
+      const auto e = load<Floats4>(across.values() + i);
+      const auto d = load<Floats4>(across.by_center() + i);
+      const auto q = load<Floats4>(across.by_sigma() + i);
+      const Floats4 r = w * (load<Floats4>(window.values(row) + i) - background - scale * e);
+      const Floats4 we = w * e;
+      const Floats4 wd = w * d;
+      const Floats4 wq = w * q;
+      s.w += w, s.e += we, s.d += wd, s.q += wq;
+      s.ee += we * e, s.ed += we * d, s.eq += we * q, s.dd += wd * d, s.dq += wd * q, s.qq += wq * q;
+      s.r += r, s.re += r * e, s.rd += r * d, s.rq += r * q;
+      total.squares += r * r;
+      const Floats4 visible = we * e_row;
+      total.visible = visible > total.visible ? visible : total.visible;
+    }
+    total.add(s, e_row, down.by_center()[row], down.by_sigma()[row]);
+  }
+  return total.total();
+}
+
+/// One damped step; each parameter may only move so far that a bad start cannot throw the spot away.
+SpotModel stepped(const SpotModel& model, const Vector5& scaled_step) {
+  const double a = model.amplitude;
+  const double by_sigma = scaled_step(4) / a;
+  return {.column = model.column + std::clamp(scaled_step(0) / a, -0.7, 0.7),
+          .row = model.row + std::clamp(scaled_step(1) / a, -0.7, 0.7),
+          .sigma_px = std::clamp(model.sigma_px + std::clamp(by_sigma, -0.35 * model.sigma_px, 0.5 * model.sigma_px),
+                                 0.35, 24.0),
+          .amplitude = std::clamp(a + std::clamp(scaled_step(2), -0.6 * a, 1.5 * a), 1.0, kLargestAmplitude),
+          .background = model.background + scaled_step(3)};
+}
+
+std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model) {
+  const Eigen::LDLT<Matrix5> solver(normal.matrix);
+  if (normal.pixels < kFewestPixels || !solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
+  const Matrix5 inverse = solver.solve(Matrix5::Identity());
+  const double variance = normal.squares / (normal.pixels - 5.0);
+  const double per_px2 = variance / (model.amplitude * model.amplitude);
+  SpotFit fit{.model = model,
+              .covariance_px2 = inverse.topLeftCorner<2, 2>() * per_px2,
+              .noise = std::sqrt(variance),
+              .visible_amplitude = model.amplitude * normal.visible,
+              .pixels = static_cast<int>(normal.pixels)};
+  if (!fit.covariance_px2.allFinite()) return std::nullopt;
+  return fit;
+}
+
+}  // namespace
+
+void FitWindow::resize(int columns, int rows) {
+  TRIPOINT_ASSERT(columns > 0 && columns <= kMaxSide && rows > 0 && rows <= kMaxSide);
+  columns_ = columns;
+  rows_ = rows;
+  std::fill_n(values_.begin(), rows * kMaxSide, 0.0F);
+  std::fill_n(weights_.begin(), rows * kMaxSide, 0.0F);
+}
+
+SpotModel threshold_subtracted_start(const FitWindow& window, double background) {
+  float peak = 0.0F;
+  for (int row = 0; row < window.rows(); ++row) {
+    peak = std::max(peak, *std::max_element(window.values(row), window.values(row) + window.columns()));
+  }
+  const double contrast = std::max(1.0, static_cast<double>(peak) - background);
+  const auto threshold = static_cast<float>(background + 0.2 * contrast);
+  float n = 0.0F, x = 0.0F, y = 0.0F, xx = 0.0F, yy = 0.0F;
+  for (int row = 0; row < window.rows(); ++row) {
+    float row_n = 0.0F, row_x = 0.0F, row_xx = 0.0F;
+    const float* values = window.values(row);
+    for (int column = 0; column < window.columns(); ++column) {
+      const auto u = static_cast<float>(column);
+      const float above = std::max(values[column] - threshold, 0.0F);
+      row_n += above;
+      row_x += above * u;
+      row_xx += above * u * u;
+    }
+    const auto v = static_cast<float>(row);
+    n += row_n;
+    x += row_x;
+    xx += row_xx;
+    y += row_n * v;
+    yy += row_n * v * v;
+  }
+  if (n <= 0.0F) return {(window.columns() - 1) / 2.0, (window.rows() - 1) / 2.0, 1.0, contrast, background};
+  const double column = static_cast<double>(x / n);
+  const double row = static_cast<double>(y / n);
+  const double variance = 0.5 * (static_cast<double>((xx + yy) / n) - column * column - row * row);
+  // Cutting 20 % off a Gaussian leaves 0.6 of its variance.
+  return {column, row, std::sqrt(std::max(variance / 0.6, 0.25)), 1.1 * contrast, background};
+}
+
+std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start) {
+  SpotModel model = start;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Normal normal = normal_equations(window, model);
+    if (normal.pixels < kFewestPixels) return std::nullopt;
+    Matrix5 damped = normal.matrix;
+    damped.diagonal() *= 1.0 + kDamping;
+    damped.diagonal().array() += 1e-9;
+    const Vector5 scaled_step = damped.ldlt().solve(normal.gradient);
+    if (!scaled_step.allFinite()) return std::nullopt;
+    const double moved_px = scaled_step.head<2>().cwiseAbs().maxCoeff() / model.amplitude;
+    model = stepped(model, scaled_step);
+    if (step >= 1 && moved_px < kSettled_px) break;
+  }
+  return fit_from(normal_equations(window, model), model);
+}
+
+}  // namespace tripoint

@@ -1,0 +1,68 @@
+// The centre of a spot: a Gaussian, integrated over each pixel, on a constant ground.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "values/linear.h"
+
+namespace tripoint {
+
+/// Values and weights of the pixels to fit; weight 0 hides a clipped or foreign pixel.
+class FitWindow {
+ public:
+  static constexpr int kMaxSide = 84;
+
+  /// Every value and weight 0.
+  void resize(int columns, int rows);
+  void set(int column, int row, float value, float weight) {
+    values_[index(column, row)] = value;
+    weights_[index(column, row)] = weight;
+  }
+
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] float value(int column, int row) const { return values_[index(column, row)]; }
+  [[nodiscard]] float weight(int column, int row) const { return weights_[index(column, row)]; }
+  /// The start of a row; whole vectors of 4 may be read, their rest has weight 0.
+  [[nodiscard]] const float* values(int row) const { return values_.data() + index(0, row); }
+  [[nodiscard]] const float* weights(int row) const { return weights_.data() + index(0, row); }
+
+ private:
+  [[nodiscard]] static constexpr std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(row) * kMaxSide + static_cast<std::size_t>(column);
+  }
+  int columns_ = 0;
+  int rows_ = 0;
+  std::array<float, std::size_t{kMaxSide} * kMaxSide> values_{};
+  std::array<float, std::size_t{kMaxSide} * kMaxSide> weights_{};
+};
+
+/// Coordinates are window columns and rows, pixel centres at integers.
+struct SpotModel {
+  double column = 0.0;
+  double row = 0.0;
+  double sigma_px = 1.0;
+  double amplitude = 0.0;  ///< of the Gaussian before the pixels integrate it
+  double background = 0.0;
+};
+
+struct SpotFit {
+  SpotModel model;
+  Matrix2 covariance_px2 = Matrix2::Identity();  ///< inverse Fisher information, background and shape unknown too
+  double noise = 0.0;                            ///< RMS of the residuals, per pixel
+  double visible_amplitude = 0.0;                ///< of the brightest pixel with weight
+  int pixels = 0;
+};
+
+/// Where to begin: moments of what rises above 20 % of the contrast over `background`, hidden pixels included.
+SpotModel threshold_subtracted_start(const FitWindow& window, double background);
+
+/// Gauss-Newton with light damping, at most 7 steps.
+///
+/// @return nothing when fewer than 12 pixels are visible or the normal equations are singular
+/// Source: Winick 1986, "Cramer-Rao lower bounds on the performance of CCD optical position estimators".
+std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start);
+
+}  // namespace tripoint

@@ -1,0 +1,51 @@
+// A small part of the picture around one candidate: strength S, luma Y and red V of every pixel.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "ports/frame.h"
+
+namespace tripoint {
+
+/// Coordinates are window columns and rows; add `left_px` and `top_px` for the picture's.
+class SpotWindow {
+ public:
+  static constexpr int kMaxHalf = 40;
+  static constexpr int kStride = 2 * kMaxHalf + 4;
+  static constexpr std::size_t kPixels = std::size_t{kStride} * kStride;
+  static constexpr std::int16_t kOutside = -1;  ///< strength of a pixel outside the picture
+
+  /// At least `half` pixels to every side of a pixel of the picture; the left column is even.
+  void load(const Picture& picture, int center_u, int center_v, int half);
+
+  [[nodiscard]] int left_px() const { return left_px_; }
+  [[nodiscard]] int top_px() const { return top_px_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+
+  [[nodiscard]] static constexpr std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(row) * kStride + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] bool holds(int column, int row) const {
+    return column >= 0 && row >= 0 && column < columns_ && row < rows_;
+  }
+  [[nodiscard]] int strength(std::size_t i) const { return strength_[i]; }
+  [[nodiscard]] int luma(std::size_t i) const { return luma_[i]; }
+  [[nodiscard]] int red(std::size_t i) const { return red_[i]; }
+  [[nodiscard]] bool outside(std::size_t i) const { return strength_[i] == kOutside; }
+
+ private:
+  void load_row(const Picture& picture, int row);
+
+  int left_px_ = 0;
+  int top_px_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::array<std::int16_t, kPixels> strength_{};
+  std::array<std::uint8_t, kPixels> luma_{};
+  std::array<std::uint8_t, kPixels> red_{};
+};
+
+}  // namespace tripoint

@@ -1,0 +1,30 @@
+// Sixteen bytes at a time, in the compilers' own vector types: the same source for x86 and ARM.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+namespace tripoint {
+
+using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
+using Words4 = std::uint32_t __attribute__((vector_size(16)));
+using Longs2 = std::uint64_t __attribute__((vector_size(16)));
+using Ints4 = std::int32_t __attribute__((vector_size(16)));
+using Floats4 = float __attribute__((vector_size(16)));
+
+template <typename Vector>
+Vector load(const void* from) {
+  Vector value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
+inline Bytes16 larger(Bytes16 a, Bytes16 b) { return a > b ? a : b; }
+/// a - b, but not below 0.
+inline Bytes16 minus(Bytes16 a, Bytes16 b) { return larger(a, b) - b; }
+inline bool any(Bytes16 mask) {
+  const auto halves = reinterpret_cast<Longs2>(mask);
+  return (halves[0] | halves[1]) != 0;
+}
+inline Bytes16 all_of(int value) { return Bytes16{} + static_cast<std::uint8_t>(value); }
+
+}  // namespace tripoint
