@@ -1,9 +1,11 @@
 """The simulated cameras alone, seen by v4l2-ctl through the stock driver: can the other tests trust them?"""
 
+import struct
 import subprocess
 import tempfile
 import time
 import unittest
+from collections.abc import Iterator
 from pathlib import Path
 
 from cameras import SERIALS, SIDES, load_drivers, node_of
@@ -14,6 +16,20 @@ EXTENSIONS = {"YUYV": "yuyv", "MJPG": "jpg"}
 
 def v4l2(node: str, *options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["v4l2-ctl", "-d", node, *options], capture_output=True, text=True, timeout=60)
+
+
+def metadata_node_of(node: str) -> str:
+    return f"/dev/video{int(node.removeprefix('/dev/video')) + 1}"
+
+
+def picture_times(records: bytes) -> Iterator[int]:
+    """From the driver's metadata format UVCH: u64 host time, u16 host frame number, then the payload header itself."""
+    at = 0
+    while at + 12 <= len(records):
+        length, flags = records[at + 10], records[at + 11]
+        if length >= 6 and flags & 1 << 2:
+            yield struct.unpack_from("<I", records, at + 12)[0]
+        at += 10 + max(length, 2)
 
 
 class CamerasTest(unittest.TestCase):
@@ -46,6 +62,27 @@ class CamerasTest(unittest.TestCase):
             for side in SIDES:
                 with self.subTest(format=format_name, side=side):
                     self.assertIn(self.captured(format_name, side), self.pictures(format_name, side))
+
+    def test_time_stamps_of_the_camera_count_whole_frames(self) -> None:
+        node = self.nodes["left"]
+        v4l2(node, "--set-fmt-video=width=640,height=480,pixelformat=MJPG")
+        with subprocess.Popen(["v4l2-ctl", "-d", node, "--stream-mmap"], stderr=subprocess.DEVNULL) as stream:
+            headers = self.payload_headers(metadata_node_of(node))
+            stream.terminate()
+        ticks_per_frame = 48_000_000 // 30
+        steps = {(later - earlier) % 2**32 for earlier, later in zip(headers, headers[1:])}
+        self.assertTrue(steps, "no time stamps at all")
+        for step in steps:
+            # The interval of 30 frames per second is 333333 x 100 ns: 1.6 ticks short of 1/30 s, and times are cut to ticks.
+            self.assertLessEqual(abs(step - round(step / ticks_per_frame) * ticks_per_frame), 2 + 1.6 * step / ticks_per_frame)
+
+    def payload_headers(self, node: str) -> list[int]:
+        """The picture times (PTS) in the order in which they came, from the driver's own record of the headers."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "headers"
+            run = v4l2(node, "--stream-mmap", "--stream-count=20", f"--stream-to={file}")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            return list(picture_times(file.read_bytes()))
 
     def test_manual_exposure_is_refused_while_automatic_and_held_afterwards(self) -> None:
         node = self.nodes["left"]

@@ -18,7 +18,7 @@ constexpr auto kMicroframe = 125us;  // one packet each
 constexpr std::uint8_t kGetStatus = 0, kClearFeature = 1, kGetDescriptor = 6, kGetConfiguration = 8,
                        kSetConfiguration = 9, kGetInterface = 10, kSetInterface = 11;
 constexpr std::uint8_t kDeviceType = 1, kConfigurationType = 2, kStringType = 3, kQualifierType = 6;
-constexpr std::uint8_t kRecipientMask = 0x1f, kToDevice = 0, kToInterface = 1, kTypeMask = 0x60, kClassType = 0x20;
+constexpr std::uint8_t kRecipientMask = 0x1f, kToInterface = 1, kTypeMask = 0x60, kClassType = 0x20;
 constexpr std::uint8_t kErrorCodeSelector = 2;  // VC_REQUEST_ERROR_CODE_CONTROL
 
 }  // namespace
@@ -116,25 +116,28 @@ std::optional<Bytes> Camera::answer_from_interface(const Setup& setup, std::span
   return controls_.answer(setup, sent);
 }
 
+std::optional<Bytes> Camera::described(std::uint16_t what) const {
+  switch (what >> 8) {
+    case kDeviceType:
+      return device_descriptor();
+    case kConfigurationType:
+      return configuration_descriptor();
+    case kQualifierType:
+      return device_qualifier();
+    case kStringType: {
+      Bytes text = string_descriptor(static_cast<std::uint8_t>(what), serial_);
+      return text.empty() ? std::nullopt : std::optional{std::move(text)};
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
 std::optional<Bytes> Camera::answer_from_device(const Setup& setup) {
-  const bool of_device = (setup.request_type & kRecipientMask) == kToDevice;
   const bool of_streaming = (setup.request_type & kRecipientMask) == kToInterface && setup.index == kStreamingInterface;
   switch (setup.request) {
     case kGetDescriptor:
-      switch (setup.value >> 8) {
-        case kDeviceType:
-          return device_descriptor();
-        case kConfigurationType:
-          return configuration_descriptor();
-        case kQualifierType:
-          return device_qualifier();
-        case kStringType: {
-          Bytes text = string_descriptor(static_cast<std::uint8_t>(setup.value), serial_);
-          return text.empty() ? std::nullopt : std::optional{std::move(text)};
-        }
-        default:
-          return std::nullopt;
-      }
+      return described(setup.value);
     case kGetStatus:
       return Bytes{0, 0};
     case kGetConfiguration:
@@ -142,19 +145,21 @@ std::optional<Bytes> Camera::answer_from_device(const Setup& setup) {
     case kGetInterface:
       return Bytes{of_streaming ? alternate_ : std::uint8_t{0}};
     case kSetInterface:
-      if (of_streaming) {
-        alternate_ = static_cast<std::uint8_t>(setup.value);
-        payloads_.begin(negotiation_.committed(), std::chrono::steady_clock::now());
-      }
+      if (of_streaming) select(static_cast<std::uint8_t>(setup.value));
       return Bytes{};
     case kSetConfiguration:
-      if (of_device) alternate_ = 0;
+      select(0);
       return Bytes{};
     case kClearFeature:
       return Bytes{};
     default:
       return std::nullopt;
   }
+}
+
+void Camera::select(std::uint8_t alternate) {
+  alternate_ = alternate;
+  payloads_.begin(negotiation_.committed(), std::chrono::steady_clock::now());
 }
 
 }  // namespace tripoint::uvc

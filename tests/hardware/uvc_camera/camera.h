@@ -33,7 +33,9 @@ class Camera {
   [[nodiscard]] std::chrono::nanoseconds wait_time(Time now) const;
   [[nodiscard]] bool handle(const Socket& host, const Request& request);
   [[nodiscard]] bool stream(const Socket& host, Time now);
+  [[nodiscard]] std::optional<Bytes> described(std::uint16_t what) const;
   std::optional<Bytes> answer_from_device(const Setup& setup);
+  void select(std::uint8_t alternate);
   std::optional<Bytes> answer_from_interface(const Setup& setup, std::span<const std::uint8_t> sent);
   std::optional<Bytes> answer(const Setup& setup, std::span<const std::uint8_t> sent);
 
