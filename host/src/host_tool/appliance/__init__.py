@@ -1,0 +1,1 @@
+"""The only place that opens sockets: a Tripoint unit on the network."""

@@ -1,0 +1,1 @@
+"""Command line: reads options, calls one library function, prints, sets the exit code."""

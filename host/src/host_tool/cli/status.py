@@ -1,0 +1,91 @@
+"""host-tool status: what the unit is, how it is set up, and how it is."""
+
+from typing import Any
+
+import click
+
+from host_tool.appliance.unit import open_unit
+from host_tool.cli.options import Common, common_options
+from host_tool.cli.output import number, print_json
+from host_tool.cli.wording import age_of, conditions_of, position_of, time_of
+from host_tool.contract.blocks import Answer, Camera, Health, Identity, Timing
+from host_tool.contract.conditions import Status, status_names
+
+
+@click.command()
+@common_options
+def status(common: Common) -> None:
+    """Identity, setup, state, faults with a remedy each, cameras and timing."""
+    with open_unit(common.address, common.timeout_s) as unit:
+        identity, answer, health = unit.identity, unit.read_pose(), unit.read_health()
+    if common.as_json:
+        print_json(_record(identity, answer, health))
+        return
+    rows = _identity_rows(identity, answer) + _state_rows(answer) + _health_rows(health)
+    for name, text in rows:
+        click.echo(f"{name:<13}{text}")
+
+
+def _record(identity: Identity, answer: Answer, health: Health) -> dict[str, Any]:
+    conditions = conditions_of(answer)
+    return {
+        "identity": identity,
+        "state": answer.state,
+        "status": status_names(answer.state.status),
+        "pose": answer.pose,
+        "faults": [condition for kind, condition in conditions if kind == "fault"],
+        "warnings": [condition for kind, condition in conditions if kind == "warning"],
+        "cameras": {"left": health.left, "right": health.right},
+        "timing": health.timing,
+    }
+
+
+def _identity_rows(identity: Identity, answer: Answer) -> list[tuple[str, str]]:
+    simulated = ", SIMULATED" if answer.state.status & Status.SIMULATED else ""
+    calibration = f"{identity.calibration_id:08x}" if identity.calibration_id else "none"
+    return [
+        ("unit", f"serial {identity.serial_number}, firmware {identity.firmware}"),
+        ("map", f"{identity.map_major}.{identity.map_minor}"),
+        ("mode", f"{_words(identity.mode)}{simulated}"),
+        ("frame", _words(identity.output_frame)),
+        ("calibration", calibration),
+        ("setup", f"{answer.pose.setup:04x}, configuration {identity.configuration_id:08x}"),
+    ]
+
+
+def _state_rows(answer: Answer) -> list[tuple[str, str]]:
+    state, pose = answer.state, answer.pose
+    return [
+        ("state", f"{_words(state.state)}, up {state.uptime_s} s, Modbus clients {state.clients}"),
+        ("status", ", ".join(_words(name) for name in status_names(state.status)) or "-"),
+        ("position", position_of(pose)),
+        ("exposed", f"{time_of(pose.exposed_utc_ns)} UTC, age {age_of(pose)}"),
+        *((kind, f"{condition.words}: {condition.remedy}") for kind, condition in conditions_of(answer)),
+    ]
+
+
+def _health_rows(health: Health) -> list[tuple[str, str]]:
+    return [("left", _camera(health.left)), ("right", _camera(health.right)), *_timing_rows(health.timing)]
+
+
+def _camera(camera: Camera) -> str:
+    return (
+        f"{camera.state}, {number(camera.rate_hz, 2, 'fps')}, exposure {number(camera.exposure_us, 0, 'us')}, "
+        f"{camera.dropped_frames} dropped, {camera.resets} resets, {camera.spots} spots, "
+        f"peak {number(camera.spot_peak, 0)}, mean {number(camera.image_mean, 0)}"
+    )
+
+
+def _timing_rows(timing: Timing) -> list[tuple[str, str]]:
+    skew, spread = number(timing.skew_us, 0), number(timing.skew_uncertainty_us, 0)
+    p50, p99 = number(timing.latency_p50_us, 0), number(timing.latency_p99_us, 0)
+    return [
+        ("skew", f"{skew} ±{spread} us, uncorrected it would cost {number(timing.skew_cost_mm, 3, 'mm')}"),
+        ("latency", f"p50 {p50} us, p99 {p99} us from the later frame to the registers"),
+        ("epipolar", f"{number(timing.epipolar_rms_px, 3)} px RMS"),
+        ("board", f"{number(timing.cpu_temperature_c, 1)} degC, load {number(timing.load_percent, 0)} %"),
+    ]
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")

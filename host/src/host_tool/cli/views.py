@@ -1,0 +1,136 @@
+"""Ways to show what is followed: JSON lines, plain lines, or a picture that is redrawn in place."""
+
+from collections import deque
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Protocol
+
+from rich.console import Console, Group, RenderableType
+from rich.live import Live
+from rich.panel import Panel
+from rich.table import Table
+from rich.text import Text
+
+from host_tool.cli.output import is_live, number, print_json
+from host_tool.cli.wording import age_of, conditions_of, line_of, record_of, time_of
+from host_tool.contract.blocks import Identity, Pose
+from host_tool.contract.conditions import Status
+from host_tool.watching.session import Scene
+from host_tool.watching.truth import Comparison
+
+BARS = "▁▂▃▄▅▆▇█"
+HISTORY = 60  # columns of the sparkline
+REDRAWS_HZ = 10
+
+
+class View(Protocol):
+    """One way to show."""
+
+    def show(self, scene: Scene) -> None: ...
+
+
+class JsonLines:
+    """For programs: every verdict."""
+
+    def show(self, scene: Scene) -> None:
+        print_json(record_of(scene.sighting, scene.speed_mm_per_s, scene.comparison))
+
+
+class PlainLines:
+    """For logs and pipes: every verdict, or one in `every_s`."""
+
+    def __init__(self, console: Console, every_s: float = 0.0) -> None:
+        self._console = console
+        self._every_s = every_s
+        self._next_s: float | None = None
+
+    def show(self, scene: Scene) -> None:
+        at_s = scene.sighting.at_s
+        if self._next_s is not None and at_s < self._next_s:
+            return
+        self._next_s = at_s + self._every_s
+        line = line_of(scene.sighting, scene.speed_mm_per_s, scene.comparison)
+        self._console.print(line, markup=False, soft_wrap=True)
+
+
+class Picture:
+    """For people in a terminal."""
+
+    def __init__(self, live: Live, title: str) -> None:
+        self._live = live
+        self._title = title
+        self._history: deque[float] = deque(maxlen=HISTORY)
+
+    def show(self, scene: Scene) -> None:
+        if scene.comparison is not None:
+            self._history.append(scene.comparison.error_mm)
+        elif scene.speed_mm_per_s is not None:
+            self._history.append(scene.speed_mm_per_s)
+        self._live.update(picture_of(scene, self._title, tuple(self._history)))
+
+
+@contextmanager
+def view_for(console: Console, identity: Identity, as_json: bool, every_s: float = 0.0) -> Iterator[View]:
+    """The way that suits where the output goes."""
+    if as_json:
+        yield JsonLines()
+    elif is_live(console):
+        title = f"Tripoint {identity.serial_number}  {identity.mode.replace('_', ' ')}"
+        with Live(console=console, refresh_per_second=REDRAWS_HZ) as live:
+            yield Picture(live, title)
+    else:
+        yield PlainLines(console, every_s)
+
+
+def picture_of(scene: Scene, title: str, history: tuple[float, ...]) -> RenderableType:
+    """One redraw."""
+    pose = scene.sighting.answer.pose
+    simulated = "  SIMULATED" if pose.status & Status.SIMULATED else ""
+    parts: list[RenderableType] = [_axes(pose, scene.comparison), Text(_figures(scene)), *_history_rows(scene, history)]
+    for kind, condition in conditions_of(scene.sighting.answer):
+        style = "bold red" if kind == "fault" else "yellow"
+        parts.append(Text(f"{kind}: {condition.words}: {condition.remedy}", style=style))
+    return Panel(Group(*parts), title=f"{title}{simulated}", title_align="left", width=78)
+
+
+def sparkline(values: tuple[float, ...]) -> str:
+    """Values from 0 to their largest as bars; empty for none."""
+    top = max(values, default=0.0)
+    if top <= 0.0:
+        return BARS[0] * len(values)
+    return "".join(BARS[min(len(BARS) - 1, int(value / top * len(BARS)))] for value in values)
+
+
+def _axes(pose: Pose, comparison: Comparison | None) -> Table:
+    table = Table(box=None, padding=(0, 2))
+    for heading in ("", "measured mm", "± (k=2)", "truth mm", "error mm"):
+        table.add_column(heading, justify="right")
+    if pose.position_mm is None or pose.uncertainty_mm is None or not pose.position_valid:
+        table.add_row("", "no valid position", "", "", "", style="bold red")
+        return table
+    truth_mm = (None, None, None) if comparison is None else comparison.truth_mm
+    for name, value, spread, true in zip("xyz", pose.position_mm, pose.uncertainty_mm, truth_mm, strict=True):
+        error = None if true is None else value - true
+        style = "" if error is None else ("green" if abs(error) <= spread else "yellow")
+        table.add_row(name, number(value, 3), number(spread, 3), number(true, 3), Text(number(error, 3), style=style))
+    return table
+
+
+def _figures(scene: Scene) -> str:
+    pose, summary = scene.sighting.answer.pose, scene.summary
+    lines = [
+        f"exposed {time_of(pose.exposed_utc_ns)} UTC   age {age_of(pose)}   "
+        f"speed {number(scene.speed_mm_per_s, 0, 'mm/s')}   #{pose.sequence}",
+        f"{number(summary.rate_hz, 1, 'Hz')}   {summary.poses} poses of {summary.verdicts} verdicts, "
+        f"{summary.missed} missed",
+    ]
+    if not scene.sighting.fresh:
+        lines.append("NOTHING NEW: the unit has stopped bringing verdicts")
+    return "\n".join(lines)
+
+
+def _history_rows(scene: Scene, history: tuple[float, ...]) -> list[Text]:
+    if not history:
+        return []
+    name, unit = ("error", "mm") if scene.comparison is not None else ("speed", "mm/s")
+    return [Text(f"{name} {sparkline(history)} max {max(history):.3g} {unit}", style="cyan")]

@@ -1,0 +1,85 @@
+"""Poses and conditions as words and as JSON: the same in every command."""
+
+from datetime import UTC, datetime
+from typing import Any
+
+from host_tool.cli.output import number
+from host_tool.contract.blocks import Answer, Pose
+from host_tool.contract.conditions import Condition, faults_in, status_names, warnings_in
+from host_tool.watching.follow import Sighting
+from host_tool.watching.truth import Comparison
+
+
+def time_of(utc_ns: int) -> str:
+    """Time of day in UTC with ms; a dash before the first verdict."""
+    if utc_ns == 0:
+        return "-"
+    return datetime.fromtimestamp(utc_ns // 1_000_000 / 1000, tz=UTC).strftime("%H:%M:%S.%f")[:-3]
+
+
+def age_of(pose: Pose) -> str:
+    """Age in ms when the answer was made."""
+    return number(pose.age_ms, 1, "ms")
+
+
+def conditions_of(answer: Answer) -> list[tuple[str, Condition]]:
+    """Everything set, faults first, of this pose and of the unit now."""
+    faults = answer.pose.faults | answer.state.faults
+    warnings = answer.pose.warnings | answer.state.warnings
+    return [("fault", fault) for fault in faults_in(faults)] + [
+        ("warning", warning) for warning in warnings_in(warnings)
+    ]
+
+
+def position_of(pose: Pose) -> str:
+    """x y z with expanded uncertainty, or that there is none."""
+    if not pose.position_valid or pose.position_mm is None or pose.uncertainty_mm is None:
+        return "no valid position"
+    axes = zip("xyz", pose.position_mm, pose.uncertainty_mm, strict=True)
+    return "  ".join(f"{name} {value:9.3f} ±{spread:.3f}" for name, value, spread in axes) + " mm"
+
+
+def line_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Comparison | None) -> str:
+    """One verdict in one line."""
+    pose = sighting.answer.pose
+    parts = [time_of(pose.exposed_utc_ns), f"#{pose.sequence}", position_of(pose), f"age {age_of(pose)}"]
+    if speed_mm_per_s is not None:
+        parts.append(f"speed {speed_mm_per_s:.0f} mm/s")
+    if comparison is not None:
+        inside = "inside" if comparison.inside else "OUTSIDE"
+        parts.append(f"error {comparison.error_mm:.3f} mm {inside} k=2")
+    if not sighting.fresh:
+        parts.append("NOTHING NEW")
+    if sighting.missed:
+        parts.append(f"({sighting.missed} missed)")
+    parts += [condition.words for kind, condition in conditions_of(sighting.answer) if kind == "fault"]
+    return "  ".join(parts)
+
+
+def record_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Comparison | None) -> dict[str, Any]:
+    """One verdict for machines."""
+    state, pose = sighting.answer.state, sighting.answer.pose
+    return {
+        "sequence": pose.sequence,
+        "heartbeat": state.heartbeat,
+        "state": state.state,
+        "fresh": sighting.fresh,
+        "missed": sighting.missed,
+        "exposed_utc_ns": pose.exposed_utc_ns,
+        "age_ms": pose.age_ms,
+        "valid": pose.position_valid,
+        "position_mm": pose.position_mm,
+        "uncertainty_mm": pose.uncertainty_mm,
+        "quaternion_wxyz": pose.quaternion_wxyz,
+        "angles_deg": pose.angles_deg,
+        "uncertainty_deg": pose.uncertainty_deg,
+        "speed_mm_per_s": speed_mm_per_s,
+        "residual_px": pose.residual_px,
+        "setup": pose.setup,
+        "status": status_names(pose.status),
+        "faults": [condition.name for condition in faults_in(pose.faults)],
+        "warnings": [condition.name for condition in warnings_in(pose.warnings)],
+        "truth_mm": None if comparison is None else comparison.truth_mm,
+        "error_mm": None if comparison is None else comparison.error_mm,
+        "inside": None if comparison is None else comparison.inside,
+    }

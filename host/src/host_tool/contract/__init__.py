@@ -1,0 +1,1 @@
+"""What the unit and its readers must agree on: the register map and its blocks as values."""

@@ -1,0 +1,1 @@
+"""Paths with known truth: closed forms and trajectory files."""

@@ -1,0 +1,1 @@
+"""Following a unit verdict by verdict, and judging it against truth."""

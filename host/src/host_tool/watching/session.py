@@ -1,0 +1,41 @@
+"""One following of a unit from start to end: each sighting with its truth, its speed and the figures so far."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from host_tool.clock import Clock
+from host_tool.trajectories.paths import Path
+from host_tool.watching.follow import Sighting, Source, follow
+from host_tool.watching.speed import Speedometer
+from host_tool.watching.tally import Summary, Tally
+from host_tool.watching.truth import Comparison, compared
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """What to compare with, when the figures begin to count, and when to end (None: never)."""
+
+    truth: Path | None = None
+    settle_s: float = 0.0
+    seconds: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Everything that is known at one sighting."""
+
+    sighting: Sighting
+    comparison: Comparison | None
+    speed_mm_per_s: float | None
+    summary: Summary  # from the end of settling on
+
+
+def scenes(source: Source, clock: Clock, course: Course) -> Iterator[Scene]:
+    """Follows to the end of the course."""
+    tally, speedometer, start_s = Tally(), Speedometer(), clock.now_s()
+    for sighting in follow(source, clock, course.seconds):
+        pose = sighting.answer.pose
+        comparison = None if course.truth is None else compared(pose, course.truth)
+        if sighting.at_s - start_s >= course.settle_s:
+            tally.add(sighting, comparison)
+        yield Scene(sighting, comparison, speedometer.take(pose), tally.summary())
