@@ -1,0 +1,1 @@
+"""What registers.toml says, checked and turned into other forms."""
