@@ -1,0 +1,172 @@
+"""The commands as a user sees them: what goes to stdout and stderr, and the exit code."""
+
+import itertools
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from host.fake_unit import FakeUnit, Manner, fake_unit
+from host.register_image import UTC_NS, measuring_image
+
+from host_tool.cli import status as status_command
+from host_tool.cli.main import run
+from host_tool.errors import ExitCode
+from host_tool.trajectories.paths import SCENARIOS
+
+Capture = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def unit() -> Iterator[FakeUnit]:
+    """Brings a new verdict with every request."""
+    sequence = itertools.count(70000)
+    with fake_unit(lambda: measuring_image(next(sequence))) as fake:
+        yield fake
+
+
+def output_of(capture: Capture, *arguments: str, code: int = ExitCode.PASS) -> tuple[str, str]:
+    assert run(arguments) == code
+    captured = capture.readouterr()
+    return captured.out, captured.err
+
+
+def json_of(capture: Capture, *arguments: str, code: int = ExitCode.PASS) -> Any:
+    return json.loads(output_of(capture, *arguments, "--json", code=code)[0])
+
+
+def test_status_names_unit_state_and_remedies(unit: FakeUnit, capsys: Capture) -> None:
+    out, err = output_of(capsys, "status", "--device", unit.device)
+    assert err == ""
+    for text in ("serial 4711, firmware 0.2.9", "led position, SIMULATED", "measuring, up 3600 s", "p99 980 us"):
+        assert text in out
+    assert "refused clients: check the limits and the allow-list in [modbus]" in out
+
+
+def test_status_speaks_json(unit: FakeUnit, capsys: Capture) -> None:
+    record = json_of(capsys, "status", "--device", unit.device)
+    assert record["pose"]["position_mm"] == [-12.345, 6.789, 400.001]
+    assert record["warnings"][0]["name"] == "refused_clients"
+    assert record["cameras"]["right"]["temperature_c"] == 41.5
+
+
+def test_watch_prints_a_line_for_each_verdict(unit: FakeUnit, capsys: Capture) -> None:
+    out, _ = output_of(capsys, "watch", "--count", "3", "--device", unit.device)
+    lines = out.splitlines()
+    assert len(lines) == 3
+    assert "-12.345 ±0.120" in lines[0]
+    assert "age 23.5 ms" in lines[0]
+    assert "\x1b" not in out
+
+
+def test_watch_compares_with_a_truth_file(unit: FakeUnit, capsys: Capture, tmp_path: Path) -> None:
+    file = tmp_path / "rest.csv"
+    rows = ("t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz", "0,-12.345,6.789,400.301,0,1,0,0", "1,-12.345,6.789,400.301,0,1,0,0")
+    file.write_text("\n".join(rows), encoding="utf-8")
+    record = json_of(capsys, "watch", "--count", "1", "--truth", str(file), "--device", unit.device)
+    assert record["error_mm"] == pytest.approx(0.3)
+    assert record["inside"] is True
+
+
+def test_watch_knows_the_truth_of_a_scenario_at_the_time_of_exposure(unit: FakeUnit, capsys: Capture) -> None:
+    record = json_of(capsys, "watch", "--count", "1", "--truth", "paper-circular", "--device", unit.device)
+    assert record["truth_mm"] == pytest.approx(list(SCENARIOS["paper-circular"].position_at_utc_mm(UTC_NS)))
+
+
+def test_watch_ends_after_its_seconds(capsys: Capture) -> None:
+    with fake_unit(measuring_image) as silent:
+        out, _ = output_of(capsys, "watch", "--seconds", "0.7", "--device", silent.device)
+    assert "NOTHING NEW" in out.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [
+        ((), ExitCode.PASS),
+        (("--word-order", "abcd", "--table", "input"), ExitCode.PASS),
+        (("--word-order", "cdab", "--base", "2000"), ExitCode.PASS),
+        (("--word-order", "cdab"), ExitCode.FAILED),
+        (("--offset", "1"), ExitCode.FAILED),
+    ],
+)
+def test_probe_fails_exactly_for_a_setting_that_reads_wrong(
+    options: tuple[str, ...], code: int, unit: FakeUnit, capsys: Capture
+) -> None:
+    record = json_of(capsys, "plc", "probe", *options, "--device", unit.device, code=code)
+    assert record["right"] is (None if not options else code == ExitCode.PASS)
+
+
+def test_probe_says_what_would_be_read_and_what_to_change(unit: FakeUnit, capsys: Capture) -> None:
+    out, _ = output_of(capsys, "plc", "probe", "--word-order", "cdab", "--device", unit.device, code=ExitCode.FAILED)
+    (mine,) = [line for line in out.splitlines() if line.endswith("<- yours")]
+    assert "0x03040102" in mine
+    assert "To change: set the client's word order to abcd or add 2000 to every address." in out
+
+
+def test_simulate_writes_to_stdout_or_a_file(capsys: Capture, tmp_path: Path) -> None:
+    file = tmp_path / "line.csv"
+    out, _ = output_of(capsys, "simulate", "paper-linear", "--rate", "10")
+    output_of(capsys, "simulate", "paper-linear", "--rate", "10", "--out", str(file))
+    assert file.read_text(encoding="utf-8") == out
+    assert len(out.splitlines()) == 122
+
+
+def test_simulate_says_when_it_cannot_write(capsys: Capture, tmp_path: Path) -> None:
+    target = str(tmp_path / "none" / "line.csv")
+    _, err = output_of(capsys, "simulate", "paper-linear", "--out", target, code=ExitCode.USAGE)
+    assert err.startswith("E-TRJ-06")
+
+
+def test_demo_of_a_unit_that_is_elsewhere_than_the_truth_fails(unit: FakeUnit, capsys: Capture) -> None:
+    arguments = ("demo", "--seconds", "5.8", "--device", unit.device)
+    out, err = output_of(capsys, *arguments, code=ExitCode.FAILED)
+    assert "inside k = 2     0.0 % on all three axes" in out
+    assert "0.0% of the poses inside k = 2" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (("nonsense",), ExitCode.USAGE),
+        (("watch", "--count", "0"), ExitCode.USAGE),
+        (("status", "--device", "unit:port"), ExitCode.USAGE),
+        (("watch", "--truth", "/none.csv"), ExitCode.USAGE),
+        (("status", "--device", "127.0.0.1:1", "--timeout", "0.2"), ExitCode.NO_DEVICE),
+        (("--help",), ExitCode.PASS),
+        (("--version",), ExitCode.PASS),
+    ],
+)
+def test_exit_codes_are_as_documented(arguments: tuple[str, ...], code: int, capsys: Capture) -> None:
+    out, err = output_of(capsys, *arguments, code=code)
+    assert bool(err) is (code != ExitCode.PASS)
+    assert bool(out) is (code == ExitCode.PASS)
+
+
+def test_a_unit_that_falls_silent_ends_with_a_code_and_a_remedy(capsys: Capture) -> None:
+    with fake_unit(measuring_image, Manner.SILENT) as silent:
+        arguments = ("status", "--device", silent.device, "--timeout", "0.2")
+        _, err = output_of(capsys, *arguments, code=ExitCode.NO_DEVICE)
+    assert err.startswith("E-NET-02 ")
+    assert "longer --timeout" in err
+
+
+@pytest.mark.parametrize(
+    ("raised", "code", "text"),
+    [
+        (KeyboardInterrupt(), ExitCode.INTERRUPTED, "interrupted"),
+        (RuntimeError("surprise"), ExitCode.OUR_FAULT, "E-BUG-01 RuntimeError (surprise)"),
+    ],
+)
+def test_a_user_never_sees_a_traceback(
+    raised: BaseException, code: int, text: str, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    def fail(*_: object) -> None:
+        raise raised
+
+    monkeypatch.delenv("HOST_TOOL_DEBUG", raising=False)
+    monkeypatch.setattr(status_command, "open_unit", fail)
+    out, err = output_of(capsys, "status", code=code)
+    assert out == ""
+    assert text in err
+    assert "Traceback" not in err
