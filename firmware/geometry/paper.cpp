@@ -33,14 +33,13 @@ VirtualCamera virtual_camera(const Rig& rig, Side side) {
 }
 
 /// What Eq. 7 needs of a camera: its picture of a direction, and offsets that put its lens centre in place.
-PaperCamera paper_camera(const VirtualCamera& camera, const Vec3& direction_in_turned) {
+PaperCamera paper_camera(Side side, const VirtualCamera& camera, const Vec3& direction_in_turned) {
   const double focal = kVirtualFocalMm;
   const Vec3& center = camera.center_in_rig_mm;
-  PaperCamera paper{focal, camera.angle_rad, Vec3::Zero(), Vec2::Zero()};
-  paper.offset = {std::abs(center.x()) + focal * std::sin(camera.angle_rad), -center.y(),
-                  focal * std::cos(camera.angle_rad) - center.z()};
-  paper.image = -focal * direction_in_turned.head<2>() / direction_in_turned.z();
-  return paper;
+  const double away_from_other = side == Side::kLeft ? -center.x() : center.x();
+  const Vec3 offset{away_from_other + focal * std::sin(camera.angle_rad), -center.y(),
+                    focal * std::cos(camera.angle_rad) - center.z()};
+  return {focal, camera.angle_rad, offset, -focal * direction_in_turned.head<2>() / direction_in_turned.z()};
 }
 
 /// d(x/z, y/z)/d(x, y, z)
@@ -85,7 +84,7 @@ Result<Vec3> point_of_rays(const Rig& rig, const PerSide<Ray>& rays, double min_
     const VirtualCamera turned = virtual_camera(rig, side);
     const Vec3 direction = turned.turned_from_rig * rays[side].direction_in_rig;
     if (!(direction.z() > kLeastDepthShare)) return failure(ErrorCode::kDegenerate);
-    cameras[side] = paper_camera(turned, direction);
+    cameras[side] = paper_camera(side, turned, direction);
   }
   return point_by_equation_7(cameras, min_angle_rad);
 }
