@@ -17,7 +17,7 @@ class Environment:
 
 
 def environment() -> Environment:
-    out = Path(os.environ["tripoint_out"])
+    out = Path(os.environ["TRIPOINT_OUT"])
     told = json.loads((out / "environment.json").read_text())
     return Environment(
         out=out,

@@ -37,6 +37,10 @@ class Reading:
         return bool(self.status & self.pose_status & POSITION_VALID)
 
     @property
+    def position_unknown(self) -> bool:
+        return self.raw_position_um == (UNKNOWN_POSITION,) * 3 and self.raw_uncertainty_nm == (UNKNOWN_UNCERTAINTY,) * 3
+
+    @property
     def position_mm(self) -> tuple[float, float, float]:
         x, y, z = self.raw_position_um
         return (x / 1000, y / 1000, z / 1000)
