@@ -1,0 +1,23 @@
+#include "net/admission.h"
+
+#include <algorithm>
+#include <map>
+
+namespace tripoint {
+
+Admission admission_of(const ClientAddress& newcomer, std::span<const Present> present, std::size_t most) {
+  if (present.size() < most) return Admission{true, std::nullopt};
+  std::map<ClientAddress, std::size_t> held;
+  std::size_t largest = 0;
+  for (const Present& one : present) largest = std::max(largest, ++held[one.address]);
+  if (largest == 0 || held[newcomer] == largest) return Admission{};
+
+  std::optional<std::size_t> silent;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (held[present[i].address] != largest) continue;
+    if (!silent || present[i].last_heard < present[*silent].last_heard) silent = i;
+  }
+  return Admission{true, silent};
+}
+
+}  // namespace tripoint
