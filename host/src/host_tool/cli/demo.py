@@ -22,13 +22,13 @@ LINE_S = 1.0
 
 
 @click.command()
-@click.option("--seconds", type=click.FloatRange(min=0.0, min_open=True), help="End after so long; default Ctrl-C.")
+@click.option("--seconds", default=0.0, type=click.FloatRange(min=0.0), help="End after so long; 0: at Ctrl-C.")
 @click.option("--scenario", default="paper-circular", show_default=True, type=click.Choice(sorted(SCENARIOS)))
 @common_options
-def demo(common: Common, seconds: float | None, scenario: str) -> ExitCode:
+def demo(common: Common, seconds: float, scenario: str) -> ExitCode:
     """Measured against truth on a simulated unit, with a verdict at the end."""
     wait_until_answering(common.address, common.timeout_s, CONNECT_S, MonotonicClock())
-    course = Course(SCENARIOS[scenario], SETTLE_S, seconds)
+    course = Course(SCENARIOS[scenario], SETTLE_S, seconds or None)
     console = Console(stderr=True) if common.as_json else terminal()
     with open_unit(common.address, common.timeout_s) as unit:
         check_comparable(unit.identity)

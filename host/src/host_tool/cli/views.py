@@ -1,10 +1,12 @@
 """Ways to show what is followed: JSON lines, plain lines, or a picture that is redrawn in place."""
 
+import math
 from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
+import click
 from rich.console import Console, Group, RenderableType
 from rich.live import Live
 from rich.panel import Panel
@@ -20,7 +22,7 @@ from host_tool.watching.truth import Comparison
 
 BARS = "▁▂▃▄▅▆▇█"
 HISTORY = 60  # columns of the sparkline
-REDRAWS_HZ = 10
+REDRAW_S = 0.1
 
 
 class View(Protocol):
@@ -49,8 +51,7 @@ class PlainLines:
         if self._next_s is not None and at_s < self._next_s:
             return
         self._next_s = at_s + self._every_s
-        line = line_of(scene.sighting, scene.speed_mm_per_s, scene.comparison)
-        self._console.print(line, markup=False, soft_wrap=True)
+        click.echo(line_of(scene.sighting, scene.speed_mm_per_s, scene.comparison), file=self._console.file)
 
 
 class Picture:
@@ -59,6 +60,7 @@ class Picture:
     def __init__(self, live: Live, title: str) -> None:
         self._live = live
         self._title = title
+        self._drawn_s = -math.inf
         self._history: deque[float] = deque(maxlen=HISTORY)
 
     def show(self, scene: Scene) -> None:
@@ -66,7 +68,9 @@ class Picture:
             self._history.append(scene.comparison.error_mm)
         elif scene.speed_mm_per_s is not None:
             self._history.append(scene.speed_mm_per_s)
-        self._live.update(picture_of(scene, self._title, tuple(self._history)))
+        if scene.sighting.at_s - self._drawn_s >= REDRAW_S:  # drawing takes longer than asking: not for every verdict
+            self._live.update(picture_of(scene, self._title, tuple(self._history)), refresh=True)
+            self._drawn_s = scene.sighting.at_s
 
 
 @contextmanager
@@ -76,7 +80,7 @@ def view_for(console: Console, identity: Identity, as_json: bool, every_s: float
         yield JsonLines()
     elif is_live(console):
         title = f"Tripoint {identity.serial_number}  {identity.mode.replace('_', ' ')}"
-        with Live(console=console, refresh_per_second=REDRAWS_HZ) as live:
+        with Live(console=console, auto_refresh=False) as live:
             yield Picture(live, title)
     else:
         yield PlainLines(console, every_s)
