@@ -41,7 +41,7 @@ struct Surface {
   LinearColor reflectance{0.5, 0.5, 0.5};
   double texture = 0.1;  ///< relative amplitude of a gentle pattern
   double texture_period_px = 90.0;
-  std::optional<Disc> outline;
+  std::optional<Disc> outline = std::nullopt;
 };
 
 struct Scene {

@@ -1,0 +1,90 @@
+// tripoint-render: one period of a simulated motion as a recording folder, for tests and for cameras made of files.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/rendered_recording.h"
+#include "sim/world.h"
+
+namespace tripoint {
+namespace {
+
+constexpr int kWell = 0;
+constexpr int kUsage = 2;
+
+struct Options {
+  int frames = 0;
+  std::string out;
+  std::string format = "yuyv";
+  std::string scenario = "paper-circular";
+  std::string trajectory;
+  int width_px = 640;
+  int height_px = 480;
+  int leds = 1;
+  double led_peak = 1.5;
+  int exposure_us = 5000;
+  int quality = 90;
+  std::uint64_t seed = 1;
+};
+
+/// A scalene triangle of 100, 80 and 60 mm; a single LED is the target's origin.
+std::vector<Vec3> led_places(int leds) {
+  if (leds == 1) return {Vec3::Zero()};
+  return {Vec3(0.0, 0.0, 0.0), Vec3(100.0, 0.0, 0.0), Vec3(64.0, 48.0, 0.0)};
+}
+
+Result<Trajectory> chosen_trajectory(const Options& options) {
+  return options.trajectory.empty() ? scenario_trajectory(options.scenario) : load_trajectory(options.trajectory);
+}
+
+/// The frames share the period out evenly, so that the recording can be played round and round.
+Result<void> render_recording(const Options& options) {
+  Result<Trajectory> trajectory = chosen_trajectory(options);
+  if (!trajectory) return tl::make_unexpected(trajectory.error());
+  SimulationSettings settings;
+  settings.trajectory = *trajectory;
+  settings.scene = led_scene(led_places(options.leds), options.led_peak);
+  settings.rig = default_rig({.width_px = options.width_px, .height_px = options.height_px});
+  settings.format = options.format == "jpg" ? PixelFormat::kMjpeg : PixelFormat::kYuyv;
+  settings.mjpeg_quality = options.quality;
+  settings.exposure = std::chrono::microseconds{options.exposure_us};
+  settings.rate_hz = options.frames / seconds(trajectory->period);
+  settings.seed = options.seed;
+  return SimulatedWorld::create(settings, TimePoint{trajectory->period}).and_then([&](const SimulatedWorld& world) {
+    return write_rendered_recording(world, options.frames, options.out);
+  });
+}
+
+}  // namespace
+}  // namespace tripoint
+
+int main(int argc, char** argv) {
+  tripoint::Options options;
+  CLI::App app("Renders one period of a simulated motion, seen by two cameras, as a recording folder with its truth");
+  app.add_option("--frames", options.frames, "frames of each camera; they share the period out evenly")
+      ->required()
+      ->check(CLI::Range(1, 100'000));
+  app.add_option("--out", options.out, "folder to write; must be empty or absent")->required();
+  app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
+  app.add_option("--scenario", options.scenario, "paper-linear, paper-circular or static-volume");
+  app.add_option("--trajectory", options.trajectory, "CSV file, instead of a scenario");
+  app.add_option("--width", options.width_px, "of a picture, px");
+  app.add_option("--height", options.height_px, "of a picture, px");
+  app.add_option("--leds", options.leds, "1, or 3 for a triangle of 100, 80, 60 mm")->check(CLI::IsMember({1, 3}));
+  app.add_option("--led-peak", options.led_peak, "brightness of an LED in units of clip")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--exposure-us", options.exposure_us)->check(CLI::Range(0, 1'000'000));
+  app.add_option("--quality", options.quality, "of a JPEG, 1 to 100");
+  app.add_option("--seed", options.seed, "of the noise");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? tripoint::kWell : tripoint::kUsage;
+  }
+  const tripoint::Result<void> done = tripoint::render_recording(options);
+  if (done) return tripoint::kWell;
+  std::fprintf(stderr, "tripoint-render: %s\n", done.error().message.c_str());
+  return tripoint::kUsage;
+}

@@ -1,0 +1,83 @@
+#include "sim/world.h"
+
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "still_world.h"
+
+namespace tripoint {
+namespace {
+
+struct WrongSetting {
+  std::string name;
+  std::function<void(SimulationSettings&)> spoil;
+};
+
+TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
+  const std::vector<WrongSetting> cases{
+      {"size", [](auto& s) { s.rig = default_rig({.width_px = 630, .height_px = 480}); }},
+      {"size", [](auto& s) { s.rig.cameras.right.size.height_px = 240; }},
+      {"rate_hz", [](auto& s) { s.rate_hz = 0.0; }},
+      {"exposure", [](auto& s) { s.exposure = Duration{-1}; }},
+      {"line_time", [](auto& s) { s.line_time = std::chrono::microseconds{80}; }},  // 38 ms at 30 Hz
+      {"mjpeg_quality", [](auto& s) { s.mjpeg_quality = 101; }},
+      {"read_noise", [](auto& s) { s.sensor.read_noise = -0.1; }},
+      {"full_well", [](auto& s) { s.sensor.full_well_electrons = 0.0; }},
+      {"optical_sigma", [](auto& s) { s.sensor.optical_sigma_px = 0.0; }},
+      {"trajectory", [](auto& s) { s.trajectory.period = Duration{0}; }},
+  };
+  for (const WrongSetting& wrong : cases) {
+    SimulationSettings settings;
+    wrong.spoil(settings);
+    const Result<SimulatedWorld> refused = SimulatedWorld::create(settings);
+    ASSERT_FALSE(refused) << wrong.name;
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange) << wrong.name;
+    EXPECT_NE(refused.error().message.find(wrong.name), std::string::npos) << refused.error().message;
+  }
+}
+
+TEST(WorldTest, CamerasAtOnePlaceAreNoRig) {
+  SimulationSettings settings;
+  settings.rig.right_from_left.translation().setZero();
+  const Result<SimulatedWorld> refused = SimulatedWorld::create(settings);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kDegenerate);
+}
+
+TEST(WorldTest, WallHasItsReflectanceTimesTheWhiteLevel) {
+  SimulationSettings settings;
+  settings.scene.white_level = 0.06;
+  settings.scene.surfaces = {{.reflectance = {0.5, 0.4, 0.25}, .texture = 0.0}};
+  const SimulatedWorld world = world_of(settings);
+  const std::vector<float>& levels = world.background(Side::kLeft);
+  EXPECT_FLOAT_EQ(levels[0], 0.030F);
+  EXPECT_FLOAT_EQ(levels[1], 0.024F);
+  EXPECT_FLOAT_EQ(levels[641], 0.015F);
+}
+
+TEST(WorldTest, TextureStaysWithinItsAmplitude) {
+  const SimulatedWorld world = world_of(SimulationSettings{});
+  const auto [low, high] = std::ranges::minmax(world.background(Side::kRight));
+  EXPECT_GE(low, 0.025F * 0.9F - 1e-6F);
+  EXPECT_LE(high, 0.025F * 1.1F + 1e-6F);
+  EXPECT_GT(high - low, 0.003F);
+}
+
+TEST(WorldTest, DiscCoversItsAreaInFrontOfTheWall) {
+  SimulationSettings settings = bare_settings();
+  settings.scene.white_level = 1.0;
+  Surface disc{.reflectance = {1.0, 1.0, 1.0}, .texture = 0.0};
+  disc.outline = Disc{.center_in_reference_mm = {0.0, 0.0, 400.0}, .radius_mm = 20.0};
+  settings.scene.surfaces = {disc};
+  const SimulatedWorld world = world_of(settings);
+  double area_px2 = 0.0;
+  for (const float level : world.background(Side::kLeft)) area_px2 += static_cast<double>(level);
+  const Isometry3& left_from_rig = world.rig().camera_from_rig.left;
+  const double radius_px = 20.0 * 628.0 / (left_from_rig * disc.outline->center_in_reference_mm).z();
+  EXPECT_NEAR(area_px2, 3.14159 * radius_px * radius_px, 0.005 * area_px2);  // the rim is softened by half a pixel
+}
+
+}  // namespace
+}  // namespace tripoint
