@@ -4,7 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "line/align/align.h"
+#include "line/align/clocks.h"
+#include "line/align/tracks.h"
 #include "line/measurement.h"
 #include "line/model.h"
 #include "line/monitor/monitor.h"
@@ -21,11 +22,17 @@ class Line {
   /// @return nothing when the event brings no verdict
   std::optional<Measurement> step(const Event& event);
 
-  /// Takes a new model between events: keeps the clocks, drops the motion.
+  /// Takes a new model between events: keeps the clocks, drops the motion and the pictures, so that no pose mixes both.
   void swap_model(std::shared_ptr<const LineModel> model);
 
   /// What the next pictures should show.
   [[nodiscard]] Forecast forecast() const;
+
+ private:
+  std::shared_ptr<const LineModel> model_;  // shared with whoever made it; never null
+  Tracks tracks_;
+  Clocks clocks_;
+  Monitor monitor_;
 };
 
 }  // namespace tripoint

@@ -32,9 +32,10 @@ enum class Fault : std::uint8_t {
   kInternal = 12,
 };
 inline constexpr std::array<std::string_view, 13> kFaultNames{
-    "no_calibration", "left_camera_lost", "right_camera_lost", "not_seen_left",  "not_seen_right",
-    "ambiguous",      "epipolar_gate",    "geometry_gate",     "outside_volume", "timing_bound",
-    "decalibration",  "calibration_does_not_fit", "internal"};
+    "no_calibration", "left_camera_lost", "right_camera_lost", "not_seen_left",
+    "not_seen_right", "ambiguous",        "epipolar_gate",     "geometry_gate",
+    "outside_volume", "timing_bound",     "decalibration",     "calibration_does_not_fit",
+    "internal"};
 
 /// Something to look at although the pose stands; the value is the bit of register 35.
 enum class Warning : std::uint8_t {
@@ -96,11 +97,11 @@ struct TargetPose {
 
 /// What time did to this measurement.
 struct Timing {
-  double skew_s = 0.0;              ///< right minus left: how far apart the two newest pictures were exposed
-  double skew_sigma_s = 0.0;        ///< standard deviation of the offset between the stamps
-  double uncorrected_cost_mm = 0.0; ///< what the skew would cost if the pictures were taken as simultaneous
-  double speed_mm_per_s = 0.0;      ///< 0 until two measurements exist
-  bool settled = false;             ///< speed under the limit, for pick points
+  double skew_s = 0.0;               ///< right minus left: how far apart the two newest pictures were exposed
+  double skew_sigma_s = 0.0;         ///< standard deviation of the offset between the stamps
+  double uncorrected_cost_mm = 0.0;  ///< what the skew would cost if the pictures were taken as simultaneous
+  double speed_mm_per_s = 0.0;       ///< 0 until two measurements exist
+  bool settled = false;              ///< speed under the limit, for pick points
 };
 
 struct Measurement {

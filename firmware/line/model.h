@@ -31,18 +31,20 @@ struct WorkingVolume {
 };
 
 struct Limits {
-  double epipolar_sigmas = 4.5;       ///< gate of a left-right pair
-  double weak_chi2 = 10.83;           ///< residual above which warning 2 is set: chi2(1) at 0.1 %
-  Duration camera_silence{100'000'000}; ///< no frame for so long: the camera counts as lost
-  double timing_bound_mm = 1.0;       ///< standard deviation that time may contribute; above it fault 9
-  double offset_prior_s = 0.010;      ///< standard deviation of the unknown offset between the cameras' stamps
-  double min_angle_rad = 0.01;        ///< between the rays of a point
+  double epipolar_sigmas = 4.5;          ///< gate of a left-right pair
+  double weak_chi2 = 10.83;              ///< residual above which warning 2 is set: chi2(1) at 0.1 %
+  Duration camera_silence{100'000'000};  ///< no frame for so long: the camera counts as lost
+  double timing_bound_mm = 1.0;          ///< standard deviation that time may contribute; above it fault 9
+  double offset_prior_s = 0.010;         ///< standard deviation of the unknown offset between the cameras' stamps
+  double min_angle_rad = 0.01;           ///< between the rays of a point
+  double settled_mm_per_s = 5.0;         ///< slower than this for a while: settled
 };
 
 struct LineModel {
   StereoCalibration calibration;
   Rig rig;
   RigCovariance covariance = RigCovariance::Zero();
+  bool calibrated = true;        ///< false: there is no calibration (fault 0), only what needs none is used
   bool calibration_fits = true;  ///< false: it belongs to other cameras or another picture size (fault 11)
   Isometry3 output_from_rig = Isometry3::Identity();
   Target target;

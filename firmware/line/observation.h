@@ -36,20 +36,20 @@ enum class Coverage : std::uint8_t { kWholeFrame, kRegions };
 
 /// What the picture as a whole shows, for registers and diagnosis.
 struct ImageHealth {
-  double mean_luma = 0.0;      ///< of a sparse sample
-  double peak_luma = 0.0;      ///< of the brightest spot
-  double focus = 0.0;          ///< 1 / fitted sigma of the sharpest spot, 1/px
-  bool candidates_cut = false; ///< more candidates than the cap: not everything was looked at
-  bool identical = false;      ///< bit-identical to the picture before: the camera repeats itself
+  double mean_luma = 0.0;       ///< of a sparse sample
+  double peak_luma = 0.0;       ///< of the brightest spot
+  double focus = 0.0;           ///< 1 / fitted sigma of the sharpest spot, 1/px
+  bool candidates_cut = false;  ///< more candidates than the cap: not everything was looked at
+  bool identical = false;       ///< bit-identical to the picture before: the camera repeats itself
 };
 
 struct Observation {
   Side side = Side::kLeft;
-  std::uint32_t frame = 0;         ///< the driver's sequence number
-  TimePoint exposed{};             ///< middle of the exposure of row 0, as stamped
+  std::uint32_t frame = 0;  ///< the driver's sequence number
+  TimePoint exposed{};      ///< middle of the exposure of row 0, as stamped
   TimePoint arrived{};
-  Duration line_time{0};           ///< row r was exposed r times this later
-  std::uint64_t forecast_used = 0; ///< number of the forecast, 0 = none
+  Duration line_time{0};            ///< row r was exposed r times this later
+  std::uint64_t forecast_used = 0;  ///< number of the forecast, 0 = none
   Coverage coverage = Coverage::kWholeFrame;
   FixedVector<ImagePoint, kMaxImagePoints> points;
   ImageHealth health;

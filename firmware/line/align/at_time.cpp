@@ -1,0 +1,140 @@
+#include "line/align/at_time.h"
+
+#include <optional>
+
+namespace tripoint {
+namespace {
+
+constexpr Duration kExact{1'000};               // 1 us: at 1600 px/s a thousandth of a pixel
+constexpr Duration kLongestGap{80'000'000};     // two frame periods at 30 fps, one dropped frame
+constexpr double kUsualSpeed_px_per_s = 500.0;  // standard deviation of an unknown speed: 0.3 m/s at 400 mm
+
+constexpr double kBendTurns = 0.5;  // part of a bend that the next frame period may turn sideways
+
+/// A point in one of the pictures, and the same one further back.
+struct Sample {
+  std::size_t back = 0;
+  std::size_t index = 0;
+  TimePoint at{};
+  Vec2 place_px = Vec2::Zero();
+};
+
+Sample sample_of(const Track& track, const StampClock& clock, std::size_t back, std::size_t index) {
+  const TrackedPicture& picture = track.picture(back);
+  const RawPixel& at = picture.points[index].at;
+  return {back, index, time_of_row(clock, picture, at.v_px), {at.u_px, at.v_px}};
+}
+
+std::optional<Sample> sample_before(const Track& track, const StampClock& clock, const Sample& sample) {
+  const Link& link = track.picture(sample.back).links[sample.index];
+  if (!link.before || sample.back + 1 >= track.size()) return std::nullopt;
+  return sample_of(track, clock, sample.back + 1, *link.before);
+}
+
+Matrix2 timing_of(const std::optional<Vec2>& velocity_px_per_s, double offset_sigma_s) {
+  const double variance_s2 = offset_sigma_s * offset_sigma_s;
+  if (velocity_px_per_s) return variance_s2 * *velocity_px_per_s * velocity_px_per_s->transpose();
+  return variance_s2 * kUsualSpeed_px_per_s * kUsualSpeed_px_per_s * Matrix2::Identity();
+}
+
+/// What a straight line leaves out at a share of the way from early to late: the bend seen over three pictures, which
+/// may turn until the next one.
+Matrix2 bend_px2(const Track& track, const StampClock& clock, const Sample& early, const Sample& late, double share) {
+  const std::optional<Sample> first = sample_before(track, clock, early);
+  if (!first || first->at >= early.at) return Matrix2::Zero();
+  const double pace = seconds(late.at - early.at) / seconds(early.at - first->at);
+  const Vec2 bend = (late.place_px - early.place_px) - pace * (early.place_px - first->place_px);
+  const Vec2 missed = 0.5 * share * (1.0 - share) * bend;
+  return missed * missed.transpose() + kBendTurns * kBendTurns * missed.squaredNorm() * Matrix2::Identity();
+}
+
+AlignedPoint exact(const Track& track, const StampClock& clock, const Sample& sample, double offset_sigma_s) {
+  AlignedPoint point{track.picture(sample.back).points[sample.index], Vec2::Zero(), Matrix2::Zero()};
+  std::optional<Vec2> velocity;
+  const std::optional<Sample> before = sample_before(track, clock, sample);
+  if (before && before->at < sample.at && sample.at - before->at <= kLongestGap) {
+    velocity = (sample.place_px - before->place_px) / seconds(sample.at - before->at);
+    point.velocity_px_per_s = *velocity;
+  }
+  point.timing_px2 = timing_of(velocity, offset_sigma_s);
+  return point;
+}
+
+AlignedPoint between(const Track& track, const StampClock& clock, const Sample& early, const Sample& late,
+                     TimePoint time, double offset_sigma_s) {
+  const double share = seconds(time - early.at) / seconds(late.at - early.at);
+  const ImagePoint& before = track.picture(early.back).points[early.index];
+  AlignedPoint point{track.picture(late.back).points[late.index], Vec2::Zero(), Matrix2::Zero()};
+  const Vec2 place = (1.0 - share) * early.place_px + share * late.place_px;
+  point.seen.at = {place.x(), place.y()};
+  point.seen.covariance_px2 =
+      (1.0 - share) * (1.0 - share) * before.covariance_px2 + share * share * point.seen.covariance_px2;
+  point.seen.saturated = point.seen.saturated || before.saturated;
+  point.seen.weak = point.seen.weak || before.weak;
+  point.velocity_px_per_s = (late.place_px - early.place_px) / seconds(late.at - early.at);
+  point.timing_px2 = timing_of(point.velocity_px_per_s, offset_sigma_s) + bend_px2(track, clock, early, late, share);
+  return point;
+}
+
+/// Why a point has no place before its picture: nothing to say when it simply was not there yet.
+Faults why_alone(const Track& track, const StampClock& clock, const Sample& sample) {
+  const TrackedPicture& picture = track.picture(sample.back);
+  if (picture.links[sample.index].ambiguous) return {Fault::kAmbiguous};
+  const bool first = sample.back + 1 >= track.size();
+  if (first || clock.time_of(picture.frame) - clock.time_of(track.picture(sample.back + 1).frame) > kLongestGap) {
+    return {Fault::kTimingBound};
+  }
+  return {};
+}
+
+struct PointAtTime {
+  std::optional<AlignedPoint> point;
+  Faults faults;  // why there is none; empty when it simply was not there yet
+};
+
+PointAtTime point_at_time(const Track& track, const StampClock& clock, Sample late, TimePoint time,
+                          double offset_sigma_s) {
+  while (late.at - time > kExact) {
+    const std::optional<Sample> early = sample_before(track, clock, late);
+    if (!early) return {std::nullopt, why_alone(track, clock, late)};
+    if (early->at <= time && early->at < late.at) {
+      if (late.at - early->at > kLongestGap) return {std::nullopt, {Fault::kTimingBound}};
+      return {between(track, clock, *early, late, time, offset_sigma_s), {}};
+    }
+    late = *early;
+  }
+  return {exact(track, clock, late, offset_sigma_s), {}};
+}
+
+/// The oldest picture that is not before `time`.
+std::size_t picture_at_or_after(const Track& track, const StampClock& clock, TimePoint time) {
+  std::size_t back = 0;
+  while (back + 1 < track.size()) {
+    const TrackedPicture& older = track.picture(back + 1);
+    if (time_of_row(clock, older, older.first_row_px) + kExact < time) break;
+    ++back;
+  }
+  return back;
+}
+
+}  // namespace
+
+TimePoint time_of_row(const StampClock& clock, const TrackedPicture& picture, double row_px) {
+  return clock.time_of(picture.frame) + duration_from_seconds(row_px * seconds(picture.line_time));
+}
+
+PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoint time, double offset_sigma_s) {
+  PointsAtTime found;
+  const std::size_t back = picture_at_or_after(track, clock, time);
+  found.picture = &track.picture(back);
+  found.spots = found.picture->points.size();
+  for (std::size_t i = 0; i < found.spots; ++i) {
+    const Sample late = sample_of(track, clock, back, i);
+    const PointAtTime one = point_at_time(track, clock, late, time, offset_sigma_s);
+    found.faults.insert(one.faults);
+    if (one.point) found.points.push_back(*one.point);
+  }
+  return found;
+}
+
+}  // namespace tripoint

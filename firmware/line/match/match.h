@@ -1,0 +1,38 @@
+// Which spot of the left picture and which of the right are one point: by geometry alone, and never by guessing.
+#pragma once
+
+#include <cstddef>
+
+#include "line/align/align.h"
+#include "line/measurement.h"
+#include "line/model.h"
+#include "values/fixed_vector.h"
+#include "values/side.h"
+
+namespace tripoint {
+
+inline constexpr std::size_t kMaxMatchedSpots = 12;  ///< a side; more are not matched but refused
+
+/// Two image points that belong together, and to nothing else.
+struct Pair {
+  int id = 0;  ///< point of the target, 0 = not identified
+  PerSide<AlignedPoint> points;
+  double epipolar_px = 0.0;
+  double epipolar_sigma_px = 0.0;
+};
+
+struct Pairs {
+  FixedVector<Pair, kMaxMatchedSpots> pairs;
+  Faults faults;
+};
+
+/// Pairs within the epipolar gate and the depth range of the working volume. A single point is identified when there
+/// is exactly one possible pair; targets with more points are not identified and stay ambiguous.
+///
+/// @return kNotSeenLeft/Right  no spot there;  kEpipolarGate  spots on both sides, none belong together
+///         kOutsideVolume      a pair, but not at a depth of the volume
+///         kGeometryGate       a pair whose rays do not meet in front of both cameras
+///         kAmbiguous          a spot with two partners, more spots than can be matched, an unidentified target
+Pairs match(const Aligned& seen, const LineModel& model);
+
+}  // namespace tripoint

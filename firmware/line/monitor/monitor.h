@@ -1,0 +1,41 @@
+// What outlives a single measurement: motion, health, lasting warnings, and the forecast for the detectors.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "line/match/match.h"
+#include "line/measurement.h"
+#include "line/model.h"
+#include "line/monitor/motion.h"
+#include "values/forecast.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+class Monitor {
+ public:
+  /// Motion from the pose, epipolar RMS from the pairs, warnings from everything.
+  void learn(const Measurement& measurement, const Pairs& pairs);
+
+  /// The measurement with what only the history knows: sequence, speed, settled, epipolar RMS, lasting warnings.
+  [[nodiscard]] Measurement completed(Measurement measurement, const LineModel& model) const;
+
+  /// The next positions are not continuations of the former ones.
+  void forget_motion() { motion_.forget(); }
+
+  /// Where the target's point appears in both pictures so long after the newest common time; without points when
+  /// nothing is known.
+  [[nodiscard]] Forecast forecast(Duration ahead, const LineModel& model) const;
+
+ private:
+  std::uint64_t learned_ = 0;  // measurements
+  TimePoint common_time_{};    // the newest
+  Motion motion_;
+  double epipolar_square_px2_ = 0.0;  // exponential mean
+  bool epipolar_known_ = false;
+  std::array<std::optional<TimePoint>, 16> warned_{};  // last cause of each warning
+};
+
+}  // namespace tripoint
