@@ -34,6 +34,18 @@ def picture_times(records: bytes) -> Iterator[int]:
         at += 10 + max(length, 2)
 
 
+def without_huffman_tables(picture: bytes) -> bytes:
+    """A webcam leaves them out of a JPEG; other pictures stay as they are."""
+    if not picture.startswith(b"\xff\xd8"):
+        return picture
+    bare, at = picture[:2], 2
+    while picture[at + 1] != 0xDA:
+        end = at + 2 + int.from_bytes(picture[at + 2 : at + 4])
+        bare += b"" if picture[at + 1] == 0xC4 else picture[at:end]
+        at = end
+    return bare + picture[at:]
+
+
 class CamerasTest(unittest.TestCase):
     def setUp(self) -> None:
         load_drivers()
@@ -47,7 +59,7 @@ class CamerasTest(unittest.TestCase):
 
     def pictures(self, format_name: str, side: str) -> set[bytes]:
         files = (self.world.recordings[format_name] / side).glob(f"*.{EXTENSIONS[format_name]}")
-        return {file.read_bytes() for file in files}
+        return {without_huffman_tables(file.read_bytes()) for file in files}
 
     def captured(self, format_name: str, side: str) -> bytes:
         """One frame, as the driver hands it out."""

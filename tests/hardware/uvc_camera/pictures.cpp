@@ -8,6 +8,8 @@
 namespace tripoint::uvc {
 namespace {
 
+std::ptrdiff_t offset(std::size_t at) { return static_cast<std::ptrdiff_t>(at); }
+
 std::vector<Bytes> files_in(const std::filesystem::path& folder, const std::string& extension) {
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -23,12 +25,34 @@ std::vector<Bytes> files_in(const std::filesystem::path& folder, const std::stri
   return files;
 }
 
+/// Webcams leave the Huffman tables out of their MJPEG frames; the receiver has to know the standard ones (ITU-T T.81,
+/// K.3).
+Bytes without_huffman_tables(const Bytes& jpeg) {
+  constexpr std::uint8_t kHuffmanTables = 0xc4;
+  constexpr std::uint8_t kStartOfScan = 0xda;
+  constexpr std::size_t kFirstSegment = 2;
+  std::size_t at = kFirstSegment;
+  Bytes bare(jpeg.begin(), jpeg.begin() + kFirstSegment);
+  while (at + 4 <= jpeg.size() && jpeg[at + 1] != kStartOfScan) {
+    const std::size_t end = at + 2 + (std::size_t{jpeg[at + 2]} << 8U | jpeg[at + 3]);
+    if (end > jpeg.size()) break;
+    if (jpeg[at + 1] != kHuffmanTables) bare.insert(bare.end(), jpeg.begin() + offset(at), jpeg.begin() + offset(end));
+    at = end;
+  }
+  bare.insert(bare.end(), jpeg.begin() + offset(at), jpeg.end());
+  return bare;
+}
+
 }  // namespace
 
 Pictures pictures_from(const RecordingFolders& folders, const std::string& side) {
   Pictures pictures{files_in(folders.yuyv / side, ".yuyv"), files_in(folders.mjpeg / side, ".jpg")};
   for (const Bytes& picture : pictures.yuyv) {
     if (picture.size() != kYuyvBytes) throw std::runtime_error(folders.yuyv.string() + ": pictures must be 640x480");
+  }
+  for (Bytes& picture : pictures.mjpeg) {
+    if (picture.size() < 4) throw std::runtime_error(folders.mjpeg.string() + ": a picture is cut off");
+    picture = without_huffman_tables(picture);
   }
   if (pictures.yuyv.size() != pictures.mjpeg.size()) throw std::runtime_error("the two recordings differ in length");
   return pictures;

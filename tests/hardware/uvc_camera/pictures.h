@@ -16,7 +16,7 @@ namespace tripoint::uvc {
 /// The pictures of one camera, the same scene in each format.
 struct Pictures {
   std::vector<Bytes> yuyv;
-  std::vector<Bytes> mjpeg;
+  std::vector<Bytes> mjpeg;  ///< without Huffman tables, as webcams send it
 
   [[nodiscard]] const Bytes& at(Format format, std::size_t index) const {
     return format == Format::kMjpeg ? mjpeg[index] : yuyv[index];
