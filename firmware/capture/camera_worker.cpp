@@ -1,0 +1,135 @@
+#include "capture/camera_worker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+namespace tripoint {
+namespace {
+
+// A driver that starts again counts from 0: a step back, which wraps to a huge step forward, is not a loss of frames.
+constexpr std::uint32_t kLargestGap = 10'000;
+
+std::uint32_t frames_missing(std::optional<std::uint32_t> last, std::uint32_t now) {
+  if (!last) return 0;
+  const std::uint32_t step = now - *last;
+  return step >= 1 && step <= kLargestGap ? step - 1 : 0;
+}
+
+bool whole(const Frame& frame) {
+  const std::size_t bytes_of_pixel = frame.format == PixelFormat::kYuyv ? 2 : 1;
+  const auto width = static_cast<std::size_t>(std::max(frame.size.width_px, 0));
+  const auto height = static_cast<std::size_t>(std::max(frame.size.height_px, 0));
+  return frame.stride_bytes >= width * bytes_of_pixel && frame.data.size() >= frame.stride_bytes * height;
+}
+
+}  // namespace
+
+void pause_until_stop(Duration duration, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, duration, [] { return false; });
+}
+
+CameraWorker::CameraWorker(Side side, CameraTasks tasks, CameraLinks links, CameraLimits limits)
+    : side_(side), tasks_(std::move(tasks)), links_(links), limits_(limits) {}
+
+void CameraWorker::run(const std::stop_token& stop) {
+  Duration pause = limits_.first_retry;
+  while (!stop.stop_requested()) {
+    const std::uint64_t frames_before = status_.frames;
+    const Error ending = serve(stop);
+    if (stop.stop_requested()) return;
+    report_loss(ending);
+    if (ending.code == ErrorCode::kEndOfStream) return;
+    if (status_.frames != frames_before) pause = limits_.first_retry;
+    tasks_.pause(pause, stop);
+    pause = std::min(2 * pause, limits_.last_retry);
+  }
+}
+
+/// One connection, from opening to the error that ends it.
+Error CameraWorker::serve(const std::stop_token& stop) {
+  const Result<std::unique_ptr<Camera>> camera = tasks_.open();
+  if (!camera) return camera.error();
+  status_.info = (*camera)->info();
+  last_sequence_.reset();
+  rate_.restart();
+  int corrupt_in_a_row = 0;
+  while (!stop.stop_requested()) {
+    const Result<Observation> observation = observe(**camera);
+    if (observation) {
+      corrupt_in_a_row = 0;
+      deliver(*observation);
+      continue;
+    }
+    if (observation.error().code != ErrorCode::kCorruptFrame) return observation.error();
+    ++status_.corrupt;
+    note(observation.error());
+    if (++corrupt_in_a_row == limits_.corrupt_in_a_row) {
+      return {ErrorCode::kCorruptFrame, fmt::format("{} damaged frames in a row, the last: {}; check cable and bus",
+                                                    corrupt_in_a_row, observation.error().message)};
+    }
+  }
+  return {ErrorCode::kTimeout, "asked to stop"};
+}
+
+Result<Observation> CameraWorker::observe(Camera& camera) {
+  const Result<Frame> frame = camera.next_frame(limits_.frame);
+  if (!frame) return tl::make_unexpected(frame.error());
+  const Result<Picture> picture = picture_from(*frame);
+  if (!picture) return tl::make_unexpected(picture.error());
+  count_frame(*frame);
+
+  Observation observation = tasks_.detect(*picture, links_.forecast.get());
+  observation.side = side_;
+  observation.frame = frame->sequence;
+  observation.exposed = frame->exposed;
+  observation.arrived = frame->arrived;
+  observation.line_time = frame->line_time;
+  observation.health.identical = repeat_check_.repeats(frame->data);
+  return observation;
+}
+
+Result<Picture> CameraWorker::picture_from(const Frame& frame) {
+  if (frame.format == PixelFormat::kMjpeg) return decoder_.decode(frame.data, frame.size);
+  if (!whole(frame)) return failure(ErrorCode::kCorruptFrame, "frame shorter than its size asks for");
+  return picture_of(frame);
+}
+
+void CameraWorker::count_frame(const Frame& frame) {
+  ++status_.frames;
+  status_.dropped += frames_missing(last_sequence_, frame.sequence);
+  last_sequence_ = frame.sequence;
+  rate_.take(frame.arrived);
+  status_.rate_hz = rate_.rate_hz();
+}
+
+void CameraWorker::deliver(const Observation& observation) {
+  status_.repeated += observation.health.identical ? 1U : 0U;
+  status_.delivering = true;
+  links_.status.put(status_);
+  if (lost_) links_.events.push(CameraBack{side_, links_.clock.now()});
+  lost_ = false;
+  links_.events.push(observation);
+}
+
+void CameraWorker::report_loss(const Error& error) {
+  status_.delivering = false;
+  status_.rate_hz = 0.0;
+  if (!lost_) ++status_.losses;
+  note(error);
+  if (!lost_) links_.events.push(CameraLost{side_, links_.clock.now()});
+  lost_ = true;
+}
+
+void CameraWorker::note(const Error& error) {
+  status_.last_error = fmt::format("camera {}: {}", name(side_), error.message);
+  links_.status.put(status_);
+}
+
+}  // namespace tripoint

@@ -1,0 +1,96 @@
+// The loop of one camera's thread: frame, planes, points, event; and opening anew whatever happens to the camera.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "capture/frame_rate.h"
+#include "capture/mjpeg_decoder.h"
+#include "capture/repeat_check.h"
+#include "line/observation.h"
+#include "ports/camera.h"
+#include "ports/clock.h"
+#include "values/bounded_queue.h"
+#include "values/latest.h"
+
+namespace tripoint {
+
+/// What is known about one camera, for registers, management and log. Counters start with the worker.
+struct CameraStatus {
+  bool delivering = false;     ///< between the first frame after opening and the loss
+  CameraInfo info;             ///< of the camera opened last
+  double rate_hz = 0.0;        ///< over the last whole second of arrivals
+  std::uint64_t frames = 0;    ///< that became observations
+  std::uint64_t dropped = 0;   ///< numbers missing in the driver's sequence, damaged frames included
+  std::uint64_t corrupt = 0;   ///< arrived damaged
+  std::uint64_t repeated = 0;  ///< identical to the bit to the one before
+  std::uint64_t losses = 0;    ///< times the camera stopped delivering, or could not be opened at first
+  std::string last_error;      ///< "" until something went wrong; names the side
+};
+
+struct CameraLimits {
+  Duration frame = std::chrono::milliseconds(500);  ///< without a frame for so long, the camera is lost
+  Duration first_retry = std::chrono::milliseconds(200);
+  Duration last_retry = std::chrono::seconds(2);  ///< the pause doubles from the first to this
+  int corrupt_in_a_row = 5;                       ///< so many, and the camera is lost; a sixth of a second at 30 Hz
+};
+
+using OpenCamera = std::function<Result<std::unique_ptr<Camera>>()>;
+/// Fills in points, coverage, health and forecast_used; side, frame and times are the worker's.
+using DetectPoints = std::function<Observation(const Picture&, const Forecast&)>;
+/// Waits for the duration or until stop is requested, whichever comes first.
+using Pause = std::function<void(Duration, const std::stop_token&)>;
+
+void pause_until_stop(Duration duration, const std::stop_token& stop);
+
+struct CameraTasks {
+  OpenCamera open;
+  DetectPoints detect;
+  Pause pause = pause_until_stop;
+};
+
+/// What a worker shares with other threads; all of it outlives the worker.
+struct CameraLinks {
+  BoundedQueue<Event>& events;
+  const Latest<Forecast>& forecast;
+  Latest<CameraStatus>& status;
+  const Clock& clock;
+};
+
+class CameraWorker {
+ public:
+  CameraWorker(Side side, CameraTasks tasks, CameraLinks links, CameraLimits limits);
+
+  /// Runs until stop is requested, noticed within limits.frame (a slow open() aside), or a recording is over.
+  ///
+  /// Pushes an Observation for each good frame; CameraLost once when the camera cannot be opened or stops delivering
+  /// (timeout, unplugged, driver fault, damaged frames in a row, end of a recording); CameraBack before the first
+  /// observation after a loss.
+  void run(const std::stop_token& stop);
+
+ private:
+  Error serve(const std::stop_token& stop);
+  Result<Observation> observe(Camera& camera);
+  Result<Picture> picture_from(const Frame& frame);
+  void count_frame(const Frame& frame);
+  void deliver(const Observation& observation);
+  void report_loss(const Error& error);
+  void note(const Error& error);
+
+  const Side side_;
+  const CameraTasks tasks_;
+  const CameraLinks links_;
+  const CameraLimits limits_;
+  MjpegDecoder decoder_;
+  RepeatCheck repeat_check_;
+  FrameRate rate_;
+  CameraStatus status_;
+  std::optional<std::uint32_t> last_sequence_;
+  bool lost_ = false;
+};
+
+}  // namespace tripoint

@@ -1,0 +1,35 @@
+// JPEG data to planes, without colour conversion and without believing a damaged picture.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ports/frame.h"
+#include "values/result.h"
+
+namespace tripoint {
+
+inline constexpr int kMaxPictureSide_px = 4096;
+
+/// Keeps its planes from picture to picture: after the first one only libjpeg itself allocates.
+class MjpegDecoder {
+ public:
+  /// Decodes one JPEG, baseline or progressive, grey or YCbCr 4:2:2, 4:2:0, 4:4:0 or 4:4:4, with or without
+  /// Huffman tables. Chroma at full width is averaged to half width, as Picture has it. Levels are full range (JFIF).
+  ///
+  /// The accurate DCT (JDCT_ISLOW) is used: 0.44 ms for 640x480 4:2:2 at quality 85 against 0.41 ms with the fast one
+  /// (libjpeg-turbo 2.1, x86-64). Seven percent is not worth an error in the luma that spots are measured on.
+  ///
+  /// @param expected the size the camera was set to; nothing = any size up to kMaxPictureSide_px
+  /// @return a view into this decoder, valid until the next call; kCorruptFrame for data that is damaged, ends early,
+  ///         has another size than expected, or is of a kind no camera sends
+  Result<Picture> decode(std::span<const std::uint8_t> jpeg, std::optional<ImageSize> expected);
+
+ private:
+  std::array<std::vector<std::uint8_t>, 3> planes_;
+};
+
+}  // namespace tripoint

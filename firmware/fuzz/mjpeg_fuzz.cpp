@@ -1,0 +1,48 @@
+// Any bytes as a camera's MJPEG frame: refused or whole, and every value of a whole picture can be read.
+#include <cstddef>
+#include <cstdint>
+
+#include "capture/mjpeg_decoder.h"
+
+namespace {
+
+// Small enough that a few bytes which claim a large picture do not spend the run on clearing memory.
+constexpr int kLargestSide_px = 512;
+
+std::uint64_t sum_of(const tripoint::Picture& picture) {
+  std::uint64_t sum = 0;
+  for (int y = 0; y < picture.size.height_px; ++y) {
+    const int chroma_y = picture.chroma_rows_halved ? y / 2 : y;
+    for (int x = 0; x < picture.size.width_px; ++x) {
+      sum += picture.luma.at(x, y);
+      if (picture.u.data != nullptr)
+        sum += picture.u.at(x / 2, chroma_y) + std::uint64_t{picture.v.at(x / 2, chroma_y)};
+    }
+  }
+  return sum;
+}
+
+/// The size that the first frame header (SOF0 to SOF2) claims, or nothing.
+std::optional<tripoint::ImageSize> claimed_size(std::span<const std::uint8_t> jpeg) {
+  for (std::size_t i = 0; i + 9 < jpeg.size(); ++i) {
+    if (jpeg[i] != 0xFF || jpeg[i + 1] < 0xC0 || jpeg[i + 1] > 0xC2) continue;
+    return tripoint::ImageSize{jpeg[i + 7] * 256 + jpeg[i + 8], jpeg[i + 5] * 256 + jpeg[i + 6]};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static tripoint::MjpegDecoder decoder;
+  static volatile std::uint64_t sink = 0;
+  const std::span<const std::uint8_t> jpeg(data, size);
+  const std::optional<tripoint::ImageSize> claimed = claimed_size(jpeg);
+  if (!claimed || claimed->width_px > kLargestSide_px || claimed->height_px > kLargestSide_px) {
+    sink = decoder.decode(jpeg, tripoint::ImageSize{64, 48}).has_value() ? 1 : 0;
+    return 0;
+  }
+  const auto picture = decoder.decode(jpeg, std::nullopt);
+  if (picture) sink = sum_of(*picture);
+  return 0;
+}
