@@ -3,6 +3,7 @@
 import socketserver
 import struct
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import Enum
@@ -10,6 +11,7 @@ from enum import Enum
 from host.register_image import IMAGE_LENGTH, MIRROR_AT, Image
 
 READS = (3, 4)
+LATE_S = 0.5
 
 
 class Manner(Enum):
@@ -21,6 +23,7 @@ class Manner(Enum):
     REFUSING = "answers with exception 02"
     SHORT = "answers with one register too few"
     NOISE = "answers with bytes that are no Modbus"
+    LATE = "answers the first request LATE_S too late, the others well"
 
 
 class FakeUnit(socketserver.ThreadingTCPServer):
@@ -50,6 +53,9 @@ class _Connection(socketserver.StreamRequestHandler):
             answer = _answer(self.server, pdu)  # type: ignore[arg-type]
             if answer is None:
                 return
+            if self.server.manner is Manner.LATE:  # type: ignore[attr-defined]
+                self.server.manner = Manner.WELL  # type: ignore[attr-defined]
+                time.sleep(LATE_S)
             if answer:
                 self.wfile.write(struct.pack(">HHHB", transaction, 0, len(answer) + 1, unit) + answer)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import pytest
-from host.fake_unit import FakeUnit, Manner, fake_unit
+from host.fake_unit import LATE_S, FakeUnit, Manner, fake_unit
 from host.register_image import measuring_image
 
 from host_tool.appliance.address import Address, address_from
@@ -78,11 +78,11 @@ def test_a_server_that_misbehaves_is_named_in_time(manner: Manner, code: str) ->
         assert time.monotonic() - started_s < 3 * TIMEOUT_S
 
 
-def test_after_a_silence_the_link_does_not_take_the_late_answer_for_the_next() -> None:
-    with linked(Manner.SILENT) as (unit, link):
+def test_a_late_answer_is_not_taken_for_that_of_the_next_request() -> None:
+    with linked(Manner.LATE) as (_, link):
         with pytest.raises(DeviceError, match="E-NET-02"):
-            link.read(Table.INPUT, 0, 4)
-        unit.manner = Manner.WELL
+            link.read(Table.INPUT, 0, 2)
+        time.sleep(LATE_S)
         assert link.read(Table.INPUT, 4, 2) == (0x0102, 0x0304)
 
 

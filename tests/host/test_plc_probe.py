@@ -50,6 +50,11 @@ def test_the_smallest_change_is_named(setting: ClientSetting, change: str | None
     assert change_for(reading_for(setting, readings), readings) == change
 
 
+@pytest.mark.parametrize(("offset", "wire_address"), [(0, 2004), (1, 2003)])
+def test_a_client_that_counts_from_1_asks_one_register_lower(offset: int, wire_address: int) -> None:
+    assert ClientSetting(base=2000, offset=offset).wire_address == wire_address
+
+
 def test_a_client_with_two_faults_is_told_both() -> None:
     readings = readings_of(Registers())
     change = change_for(reading_for(ClientSetting(WordOrder.CDAB, offset=1), readings), readings)

@@ -99,7 +99,6 @@ class ModbusLink:
                 "check that tripointd still runs and that this computer is in modbus.allow, then try again",
             ) from error
         except ModbusException as error:
-            self._client.close()  # a late answer must not be taken for that of the next request
             raise DeviceError(
                 "E-NET-02",
                 f"{what}: no answer from {self.address} within {self._timeout_s:g} s",
