@@ -11,6 +11,8 @@ constexpr std::array<double, 3> kLevels{0.5, 0.7,
                                         0.85};  ///< of the contrast: a spot beside another stands alone higher up
 constexpr double kAloneAspect = 1.82;           ///< longer than this, the next level is tried
 constexpr double kSplitLevel = 0.6;             ///< above it only the top of the spot stood alone
+constexpr double kLargestLumaShare = 1.15;      ///< the spot may not be wider in Y than in S
+constexpr double kSameCenter = 0.2;             ///< px, and of the radius: Y's centre against the area's
 constexpr double kRoundAspect = 1.35;           ///< a longer spot is measured with doubt
 
 /// Half-windows in which a spot may fit; halos and big spots need the larger ones.
@@ -122,7 +124,7 @@ DropCause Inspector::isolate(const Picture& picture) {
   for (const int half : halves) {
     window_.load(picture, seen_.start_u_px, seen_.start_v_px, half);
     if (half == halves.front()) find_peak();
-    const int background = meter_.background(window_);
+    const int background = background_of(window_);
     if (background == SpotWindow::kOutside) return DropCause::kNoSurround;
     seen_.contrast = seen_.peak - static_cast<float>(background);
     if (seen_.contrast < static_cast<float>(settings_.min_contrast)) return DropCause::kNoContrast;
@@ -146,7 +148,7 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   area_ = flood_.spread(window_, SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()),
                         threshold_);
   const int peak = static_cast<int>(seen_.peak);
-  around_ = meter_.measure(window_, area_, peak);
+  around_ = surround_of(window_, area_, peak);
   if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;
   seen_.contrast = static_cast<float>(peak - around_.strength);
   seen_.crowding = static_cast<float>(around_.crowding);
@@ -193,16 +195,32 @@ std::optional<SpotFit> Inspector::fit_channel(Channel channel) {
   const SpotModel start = threshold_subtracted_start(fit_window_, background);
   auto spot = fit_spot(fit_window_, start);
   if (!spot) return std::nullopt;
-  const double allowed_px = 0.5 * area_.radius_px() + 0.7;
-  const bool stayed = std::abs(fit_left_ + spot->model.column - area_.column) < allowed_px &&
-                      std::abs(fit_top_ + spot->model.row - area_.row) < allowed_px;
-  return stayed ? spot : std::nullopt;
+  return distance_from_area_px(*spot) < 0.5 * area_.radius_px() + 0.7 ? spot : std::nullopt;
+}
+
+/// Radius of the fitted Gaussian at the level of the area, over the area's radius.
+double Inspector::share_of_radius(const SpotFit& spot) const {
+  const double radius_px = spot.model.sigma_px * std::sqrt(-2.0 * std::log(static_cast<double>(seen_.level)));
+  return radius_px / area_.radius_px();
+}
+
+double Inspector::distance_from_area_px(const SpotFit& spot) const {
+  return std::hypot(fit_left_ + spot.model.column - area_.column, fit_top_ + spot.model.row - area_.row);
+}
+
+/// Y must be strong enough, and tell of the same spot as S: a white reflection beside the LED pulls Y only.
+bool Inspector::luma_suffices(const SpotFit& spot) const {
+  return spot.visible_amplitude >= settings_.weak_amplitude &&
+         spot.noise <= settings_.max_residual * spot.visible_amplitude &&
+         0.5 * spot.covariance_px2.trace() <= settings_.weak_sigma_px * settings_.weak_sigma_px &&
+         share_of_radius(spot) <= kLargestLumaShare &&
+         distance_from_area_px(spot) <= kSameCenter * (1.0 + area_.radius_px());
 }
 
 DropCause Inspector::fit(const Picture& picture) {
   Channel channel = Channel::kLuma;
   auto spot = fit_channel(channel);
-  if (!spot || spot->visible_amplitude < settings_.weak_amplitude) {
+  if (!spot || !luma_suffices(*spot)) {
     channel = Channel::kStrength;
     spot = fit_channel(channel);
   }
@@ -221,8 +239,7 @@ DropCause Inspector::check_fit(const SpotFit& spot, const Picture& picture) {
   if (spot.noise > settings_.max_residual * amplitude) return DropCause::kPoorFit;
   const double largest_px = std::max(settings_.max_sigma_px, settings_.max_sigma_of_width * picture.size.width_px);
   if (spot.model.sigma_px < settings_.min_sigma_px || spot.model.sigma_px > largest_px) return DropCause::kWrongSize;
-  const double radius_of_fit_px = spot.model.sigma_px * std::sqrt(-2.0 * std::log(static_cast<double>(seen_.level)));
-  const double share = radius_of_fit_px / area_.radius_px();
+  const double share = share_of_radius(spot);
   return share < 0.3 || share > 1.35 ? DropCause::kWrongProfile : DropCause::kKept;
 }
 

@@ -47,13 +47,15 @@ class Inspector {
   bool spread_alone(int background);
   void fill_fit_window(Channel channel);
   std::optional<SpotFit> fit_channel(Channel channel);
+  [[nodiscard]] double share_of_radius(const SpotFit& spot) const;
+  [[nodiscard]] double distance_from_area_px(const SpotFit& spot) const;
+  [[nodiscard]] bool luma_suffices(const SpotFit& spot) const;
   DropCause check_fit(const SpotFit& spot, const Picture& picture);
   void make_point(const SpotFit& spot, Channel channel);
 
   LedDetectorSettings settings_;
   SpotWindow window_;
   Flood flood_;
-  SurroundMeter meter_;
   FitWindow fit_window_;
 
   // What is known of the candidate at hand.

@@ -27,6 +27,7 @@ struct LedDetectorSettings {
   double min_sigma_px = 0.55;
   double max_sigma_px = 4.0;
   double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds
+  double weak_sigma_px = 0.10;        ///< of the centre measured on Y: above it S is measured instead of Y
   double weak_amplitude = 12.0;       ///< Y: below it S is measured instead of Y, and the spot is marked weak
   double min_amplitude = 20.0;        ///< S/4: below it the spot is refused
   // Measuring.

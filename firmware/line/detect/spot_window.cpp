@@ -17,24 +17,40 @@ void SpotWindow::load(const Picture& picture, int center_u, int center_v, int ha
 
 void SpotWindow::load_row(const Picture& picture, int row) {
   const int v_px = top_px_ + row;
-  const std::size_t first = index(0, row);
-  std::fill_n(strength_.begin() + static_cast<std::ptrdiff_t>(first), columns_, kOutside);
-  if (v_px < 0 || v_px >= picture.size.height_px) return;
+  if (v_px < 0 || v_px >= picture.size.height_px) {
+    std::fill_n(strength_.begin() + static_cast<std::ptrdiff_t>(index(0, row)), columns_, kOutside);
+  } else if (picture.interleaved_yuyv) {
+    load_pairs<2, 4>(picture, row, v_px);
+  } else {
+    load_pairs<1, 1>(picture, row, v_px);
+  }
+}
+
+/// A chroma sample sits between its two pixels: V' is three parts of the own and one of the neighbour's.
+template <int kLumaStep, int kRedStep>
+void SpotWindow::load_pairs(const Picture& picture, int row, int v_px) {
   const int chroma_row = picture.chroma_rows_halved ? v_px / 2 : v_px;
   const std::uint8_t* luma = picture.luma.data + static_cast<std::size_t>(v_px) * picture.luma.stride_bytes;
   const std::uint8_t* red = picture.v.data + static_cast<std::size_t>(chroma_row) * picture.v.stride_bytes;
-  const auto luma_step = static_cast<int>(picture.luma.step_bytes);
-  const auto red_step = static_cast<int>(picture.v.step_bytes);
-  const int last_pair = (picture.size.width_px - 1) / 2;
-  const int end_px = std::min(left_px_ + columns_, picture.size.width_px);
-  for (int u_px = std::max(left_px_, 0); u_px < end_px; ++u_px) {
-    // A chroma sample sits between its two pixels: three parts of the own, one of the neighbour's.
+  const int width = picture.size.width_px;
+  const int last_pair = (width - 1) / 2;
+  std::size_t i = index(0, row);
+  for (int u_px = left_px_; u_px < left_px_ + columns_; u_px += 2, i += 2) {
+    if (u_px < 0 || u_px >= width) {
+      strength_[i] = strength_[i + 1] = kOutside;
+      continue;
+    }
     const int pair = u_px / 2;
-    const int neighbour = std::clamp(pair + ((u_px & 1) != 0 ? 1 : -1), 0, last_pair);
-    const std::size_t i = first + static_cast<std::size_t>(u_px - left_px_);
-    luma_[i] = luma[u_px * luma_step];
-    red_[i] = red[pair * red_step];
-    strength_[i] = static_cast<std::int16_t>(3 * luma_[i] + 3 * red_[i] + red[neighbour * red_step]);
+    const int own = red[pair * kRedStep];
+    const int before = red[std::max(pair - 1, 0) * kRedStep];
+    const int after = red[std::min(pair + 1, last_pair) * kRedStep];
+    const int first = luma[u_px * kLumaStep];
+    const int second = luma[std::min(u_px + 1, width - 1) * kLumaStep];
+    luma_[i] = static_cast<std::uint8_t>(first);
+    luma_[i + 1] = static_cast<std::uint8_t>(second);
+    red_[i] = red_[i + 1] = static_cast<std::uint8_t>(own);
+    strength_[i] = static_cast<std::int16_t>(3 * (first + own) + before);
+    strength_[i + 1] = u_px + 1 < width ? static_cast<std::int16_t>(3 * (second + own) + after) : kOutside;
   }
 }
 

@@ -38,6 +38,8 @@ class SpotWindow {
 
  private:
   void load_row(const Picture& picture, int row);
+  template <int kLumaStep, int kRedStep>
+  void load_pairs(const Picture& picture, int row, int v_px);
 
   int left_px_ = 0;
   int top_px_ = 0;

@@ -74,7 +74,9 @@ std::optional<PixelPlace> reddest_beside(const Picture& picture, const Candidate
   for_each_red(picture, {center_u - reach, center_v - reach, center_u + reach, center_v + reach},
                [&](int u, int v, int red) {
                  if (red <= largest) return;
-                 if (std::hypot(u - spot.at.u_px, v - spot.at.v_px) < own) return;
+                 const double du = u - spot.at.u_px;
+                 const double dv = v - spot.at.v_px;
+                 if (du * du + dv * dv < own * own) return;
                  largest = red;
                  reddest = PixelPlace{u, v};
                });

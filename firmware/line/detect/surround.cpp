@@ -1,21 +1,37 @@
 #include "line/detect/surround.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 namespace tripoint {
 namespace {
 
-constexpr std::size_t kFewestPixels = 8;
+constexpr int kFewestPixels = 8;
 
-/// The value below which `share` of the first `n` lie; reorders them.
-template <typename Values>
-int percentile(Values& values, std::size_t n, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(static_cast<double>(n) * share);
-  const auto end = values.begin() + static_cast<std::ptrdiff_t>(n);
-  std::nth_element(values.begin(), values.begin() + rank, end);
-  return values[static_cast<std::size_t>(rank)];
-}
+/// Counts values so that percentiles need no sorting.
+template <std::size_t kBins>
+class Histogram {
+ public:
+  void add(int bin) { ++counts_[static_cast<std::size_t>(bin)]; }
+
+  /// The bin below which `share` of the first `n` lie.
+  [[nodiscard]] int percentile(int n, double share) const {
+    int left = static_cast<int>(n * share);
+    std::size_t bin = 0;
+    while (bin + 1 < kBins && left >= counts_[bin]) left -= counts_[bin++];
+    return static_cast<int>(bin);
+  }
+  [[nodiscard]] int count_above(int bin) const { return std::accumulate(counts_.begin() + bin + 1, counts_.end(), 0); }
+
+ private:
+  std::array<std::uint16_t, kBins> counts_{};
+};
+
+constexpr int kStrengthBin = 4;  // S: fine enough against a contrast of 45 and more
+using StrengthHistogram = Histogram<7 * 255 / kStrengthBin + 1>;
 
 struct Disc {
   double column = 0.0;
@@ -24,21 +40,29 @@ struct Disc {
   double outer_px = 0.0;
 };
 
+/// Half the length of a row's part within a circle, -1 when the row misses it.
+double half_chord(double radius_px, double distance_px) {
+  const double rest = radius_px * radius_px - distance_px * distance_px;
+  return rest < 0.0 ? -1.0 : std::sqrt(rest);
+}
+
 /// Calls `see` with the index of each pixel of the picture whose distance is within the disc.
 template <typename See>
 void for_each_pixel(const SpotWindow& window, const Disc& disc, See see) {
-  const double inner2 = disc.inner_px * disc.inner_px;
-  const double outer2 = disc.outer_px * disc.outer_px;
   const int top = std::max(0, static_cast<int>(std::ceil(disc.row - disc.outer_px)));
   const int bottom = std::min(window.rows() - 1, static_cast<int>(std::floor(disc.row + disc.outer_px)));
-  const int left = std::max(0, static_cast<int>(std::ceil(disc.column - disc.outer_px)));
-  const int right = std::min(window.columns() - 1, static_cast<int>(std::floor(disc.column + disc.outer_px)));
   for (int row = top; row <= bottom; ++row) {
-    const double dy2 = (row - disc.row) * (row - disc.row);
+    const double outer = half_chord(disc.outer_px, row - disc.row);
+    const double inner = half_chord(disc.inner_px, row - disc.row);
+    const int left = std::max(0, static_cast<int>(std::ceil(disc.column - outer)));
+    const int right = std::min(window.columns() - 1, static_cast<int>(std::floor(disc.column + outer)));
+    const int hole_left = inner < 0.0 ? right + 1 : static_cast<int>(std::floor(disc.column - inner)) + 1;
+    const int hole_right = inner < 0.0 ? right : static_cast<int>(std::ceil(disc.column + inner)) - 1;
     for (int column = left; column <= right; ++column) {
-      const double d2 = dy2 + (column - disc.column) * (column - disc.column);
+      if (column == hole_left && hole_right >= hole_left) column = hole_right + 1;
+      if (column > right) break;
       const std::size_t i = SpotWindow::index(column, row);
-      if (d2 >= inner2 && d2 <= outer2 && !window.outside(i)) see(i);
+      if (!window.outside(i)) see(i);
     }
   }
 }
@@ -47,33 +71,36 @@ void for_each_pixel(const SpotWindow& window, const Disc& disc, See see) {
 
 double surround_reach_px(const Area& area) { return 2.0 * area.radius_px() + 4.5; }
 
-Surround SurroundMeter::measure(const SpotWindow& window, const Area& area, int peak) {
-  std::size_t n = 0;
+Surround surround_of(const SpotWindow& window, const Area& area, int peak) {
+  StrengthHistogram strengths;
+  Histogram<256> lumas;
+  Histogram<256> reds;
+  int n = 0;
   const double reach_px = surround_reach_px(area);
   for_each_pixel(window, {area.column, area.row, reach_px - 3.0, reach_px}, [&](std::size_t i) {
-    if (n == kMaxRing) return;
-    strength_[n] = static_cast<std::int16_t>(window.strength(i));
-    luma_[n] = static_cast<std::uint8_t>(window.luma(i));
-    red_[n] = static_cast<std::uint8_t>(window.red(i));
+    strengths.add(window.strength(i) / kStrengthBin);
+    lumas.add(window.luma(i));
+    reds.add(window.red(i));
     ++n;
   });
   if (n < kFewestPixels) return {};
-  Surround around{.pixels = static_cast<int>(n),
-                  .strength = percentile(strength_, n, 0.4),
-                  .luma = percentile(luma_, n, 0.4),
-                  .red = percentile(red_, n, 0.5)};
-  const double bright = around.strength + 0.4 * (peak - around.strength);
-  const auto count = std::count_if(strength_.begin(), strength_.begin() + static_cast<std::ptrdiff_t>(n),
-                                   [&](std::int16_t strength) { return strength > bright; });
-  around.crowding = static_cast<double>(count) / static_cast<double>(n);
-  return around;
+  const int strength = kStrengthBin * strengths.percentile(n, 0.4);
+  const int bright = strength + static_cast<int>(0.4 * (peak - strength));
+  return {.pixels = n,
+          .strength = strength,
+          .luma = lumas.percentile(n, 0.4),
+          .red = reds.percentile(n, 0.5),
+          .crowding = static_cast<double>(strengths.count_above(bright / kStrengthBin)) / n};
 }
 
-int SurroundMeter::background(const SpotWindow& window) {
-  std::size_t n = 0;
+int background_of(const SpotWindow& window) {
+  StrengthHistogram strengths;
+  int n = 0;
   const auto see = [&](int column, int row) {
     const std::size_t i = SpotWindow::index(column, row);
-    if (!window.outside(i)) strength_[n++] = static_cast<std::int16_t>(window.strength(i));
+    if (window.outside(i)) return;
+    strengths.add(window.strength(i) / kStrengthBin);
+    ++n;
   };
   for (int column = 0; column < window.columns(); ++column) {
     see(column, 0);
@@ -83,7 +110,7 @@ int SurroundMeter::background(const SpotWindow& window) {
     see(0, row);
     see(window.columns() - 1, row);
   }
-  return n < kFewestPixels ? SpotWindow::kOutside : percentile(strength_, n, 0.4);
+  return n < kFewestPixels ? SpotWindow::kOutside : kStrengthBin * strengths.percentile(n, 0.4);
 }
 
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak) {

@@ -1,15 +1,12 @@
 // What lies around a spot, and what its flank looks like against it.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "line/detect/flood.h"
 #include "line/detect/spot_window.h"
 
 namespace tripoint {
 
-/// Percentiles of the ring between 2 r + 1.5 and 2 r + 4.5 px around an area of radius r.
+/// Percentiles (of S to 4 steps) of the ring between 2 r + 1.5 and 2 r + 4.5 px around an area of radius r.
 struct Surround {
   int pixels = 0;
   int strength = 0;       ///< 40th percentile of S
@@ -21,23 +18,16 @@ struct Surround {
 /// Outer radius of that ring.
 double surround_reach_px(const Area& area);
 
+/// @return no pixels when less than 8 of the ring are in the picture
+Surround surround_of(const SpotWindow& window, const Area& area, int peak);
+
+/// 40th percentile of S along the window's border, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
+int background_of(const SpotWindow& window);
+
 /// Redness dV/dY over the flank (12 to 85 % of the contrast).
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak);
 
 /// dY/dS over the area that `flood` holds.
 double emission_of_area(const SpotWindow& window, const Flood& flood, const Surround& around);
-
-class SurroundMeter {
- public:
-  Surround measure(const SpotWindow& window, const Area& area, int peak);
-  /// 40th percentile of S along the window's border, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
-  int background(const SpotWindow& window);
-
- private:
-  static constexpr std::size_t kMaxRing = 4096;
-  std::array<std::int16_t, kMaxRing> strength_{};
-  std::array<std::uint8_t, kMaxRing> luma_{};
-  std::array<std::uint8_t, kMaxRing> red_{};
-};
 
 }  // namespace tripoint
