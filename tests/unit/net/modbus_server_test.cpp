@@ -1,0 +1,126 @@
+#include "net/modbus_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client.h"
+#include "served.h"
+
+namespace tripoint {
+namespace {
+
+using namespace tripoint::test;
+using testing::ElementsAre;
+
+TEST(ModbusServerTest, AnswersWithTheTransactionAndUnitItWasAsked) {
+  Served served;
+  const Client client(served.server.port());
+  EXPECT_THAT(client.ask(frame_of(0xABCD, {3, 0, 0, 0, 1}), 11),
+              ElementsAre(0xAB, 0xCD, 0, 0, 0, 5, 255, 3, 2, 0x54, 0x50));
+}
+
+TEST(ModbusServerTest, TellsHowManyClientsAreConnected) {
+  Served served;
+  const Client first(served.server.port());
+  const Client second(served.server.port());
+  ASSERT_TRUE(first.is_served() && second.is_served());
+  EXPECT_THAT(second.ask(frame_of(1, {4, 0, 37, 0, 1}), 11).back(), 2);
+}
+
+TEST(ModbusServerTest, APortInUseIsNamed) {
+  Served served;
+  ModbusSettings settings = any_port();
+  settings.port = served.server.port();
+  const auto second = ModbusServer::open(settings, served.responder, monotonic_now);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, ErrorCode::kAddressInUse);
+  EXPECT_THAT(second.error().message, testing::HasSubstr(std::to_string(settings.port)));
+}
+
+TEST(ModbusServerTest, AnAddressOfAnotherMachineIsRefused) {
+  Served served;
+  ModbusSettings settings = any_port();
+  for (const char* address : {"192.0.2.1", "nonsense"}) {
+    settings.address = address;
+    const auto refused = ModbusServer::open(settings, served.responder, monotonic_now);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange) << address;
+  }
+}
+
+TEST(ModbusServerTest, StopsWhenAskedTo) {
+  auto served = std::make_unique<Served>();
+  const Client client(served->server.port());
+  ASSERT_TRUE(client.is_served());
+  served.reset();  // joins the thread
+  EXPECT_TRUE(client.is_closed());
+}
+
+TEST(ModbusServerTest, PipelinedRequestsAreAnsweredInOrder) {
+  Served served;
+  const Client client(served.server.port());
+  constexpr std::uint16_t kRequests = 50;  // more than one turn
+  Bytes all;
+  for (std::uint16_t i = 0; i < kRequests; ++i) {
+    const Bytes one = frame_of(i, {3, 0, 0, 0, 1});
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  const Bytes answers = client.ask(all, std::size_t{11} * kRequests);
+  ASSERT_EQ(answers.size(), std::size_t{11} * kRequests);
+  for (std::size_t i = 0; i < kRequests; ++i) EXPECT_EQ(answers[11 * i + 1], i);
+}
+
+TEST(ModbusServerTest, ARequestMayComeByteByByte) {
+  Served served;
+  const Client client(served.server.port());
+  for (const std::uint8_t byte : pose_request()) client.send(std::span(&byte, 1));
+  EXPECT_EQ(client.receive(kPoseAnswerBytes).size(), kPoseAnswerBytes);
+}
+
+TEST(ModbusServerTest, OnlyNamedClientsCommand) {
+  ModbusSettings settings = any_port();
+  settings.command_clients = {client_network_from("127.0.0.2").value()};
+  Served served(settings);
+  const Bytes write = frame_of(1, {6, 3, 0xE8, 0, 0});
+  EXPECT_EQ(Client(served.server.port(), "127.0.0.1").ask(write, 9)[7], 0x86);
+  EXPECT_EQ(Client(served.server.port(), "127.0.0.2").ask(write, 12)[7], 6);
+}
+
+TEST(ModbusServerTest, ClientsOffTheAllowListAreRefusedAndCounted) {
+  ModbusSettings settings = any_port();
+  settings.allowed_clients = {client_network_from("127.0.0.2/32").value()};
+  Served served(settings);
+  EXPECT_TRUE(Client(served.server.port(), "127.0.0.1").is_closed());
+  EXPECT_TRUE(Client(served.server.port(), "127.0.0.2").is_served());
+  EXPECT_EQ(served.server.counters().refused, 1U);
+}
+
+TEST(ModbusServerTest, ARefusalIsAWarningForEveryOtherClient) {
+  ModbusSettings settings = any_port();
+  settings.most_connections = 1;
+  Served served(settings);
+  const Client client(served.server.port());
+  EXPECT_EQ(client.ask(frame_of(1, {3, 0, 35, 0, 1}), 11)[9], 0);
+  EXPECT_TRUE(Client(served.server.port()).is_closed());
+  EXPECT_EQ(client.ask(frame_of(1, {3, 0, 35, 0, 1}), 11)[9], 2);  // bit 9
+}
+
+TEST(ModbusServerTest, WhenFullAnotherAddressTakesThePlaceOfTheLongestSilent) {
+  ModbusSettings settings = any_port();
+  settings.most_connections = 3;
+  Served served(settings);
+  const Client silent(served.server.port());
+  ASSERT_TRUE(silent.is_served());
+  const Client second(served.server.port());
+  const Client third(served.server.port());
+  ASSERT_TRUE(second.is_served() && third.is_served());
+  EXPECT_TRUE(Client(served.server.port()).is_closed());
+  EXPECT_TRUE(Client(served.server.port(), "127.0.0.2").is_served());
+  EXPECT_TRUE(silent.is_closed());
+  EXPECT_TRUE(second.is_served() && third.is_served());
+  EXPECT_EQ(served.server.counters().refused, 1U);
+  EXPECT_EQ(served.server.counters().displaced, 1U);
+}
+
+}  // namespace
+}  // namespace tripoint
