@@ -96,7 +96,7 @@ class ModbusLink:
             raise DeviceError(
                 "E-NET-03",
                 f"{what}: the connection to {self.address} was closed",
-                "check that tripointd still runs and that this computer is in modbus.allow, then try again",
+                "check that tripointd still runs and modbus.allowed_clients admits this computer",
             ) from error
         except ModbusException as error:
             raise DeviceError(

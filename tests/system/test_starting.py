@@ -1,0 +1,90 @@
+"""Starting, refusing to start, and stopping."""
+
+import signal
+import time
+from pathlib import Path
+
+import pytest
+from system.daemon import CONFIG, STOP_S, binary, daemon, finished
+
+
+@pytest.fixture
+def broken(tmp_path: Path) -> Path:
+    """A copy of the demo's configuration to damage, beside links to the files it names."""
+    binary()  # skips where there is none
+    for file in CONFIG.parent.iterdir():
+        (tmp_path / file.name).symlink_to(file)
+    copy = tmp_path / "broken.toml"
+    copy.write_text(CONFIG.read_text(encoding="utf-8"), encoding="utf-8")
+    return copy
+
+
+def test_the_demos_configuration_is_valid() -> None:
+    checked = finished("check-config", str(CONFIG))
+    assert checked.returncode == 0, checked.stderr
+
+
+def test_an_unknown_key_is_named_with_its_line(broken: Path) -> None:
+    text = broken.read_text(encoding="utf-8")
+    line = text.splitlines().index("[modbus]") + 2
+    broken.write_text(text.replace("[modbus]\n", "[modbus]\nprot = 1503\n"), encoding="utf-8")
+    for command in (("check-config", str(broken)), ("run", "--config", str(broken))):
+        checked = finished(*command)
+        assert checked.returncode == 2
+        assert "modbus.prot" in checked.stderr
+        assert f"{broken.name}:{line}" in checked.stderr
+
+
+def test_a_value_out_of_range_is_named_with_its_range() -> None:
+    checked = finished("check-config", str(CONFIG), "--set", "modbus.port=70000")
+    assert checked.returncode == 2
+    assert "modbus.port" in checked.stderr
+    assert "65535" in checked.stderr
+
+
+def test_a_missing_table_is_named(broken: Path) -> None:
+    text = broken.read_text(encoding="utf-8")
+    broken.write_text(text.replace("[volume]", "[volumen]"), encoding="utf-8")
+    checked = finished("check-config", str(broken))
+    assert checked.returncode == 2
+    assert "volume" in checked.stderr
+
+
+def test_a_file_that_is_no_toml_is_refused_with_its_line(broken: Path) -> None:
+    broken.write_text("[modbus\n", encoding="utf-8")
+    checked = finished("check-config", str(broken))
+    assert checked.returncode == 2
+    assert f"{broken.name}:1" in checked.stderr
+
+
+def test_a_missing_file_is_refused(tmp_path: Path) -> None:
+    checked = finished("run", "--config", str(tmp_path / "none.toml"))
+    assert checked.returncode == 2
+    assert "none.toml" in checked.stderr
+
+
+def test_a_port_in_use_ends_the_second(tmp_path: Path) -> None:
+    with daemon(tmp_path / "log") as first:
+        second = finished("run", "--config", str(CONFIG), "--set", f"modbus.port={first.port}")
+    assert second.returncode == 2
+    assert str(first.port) in second.stderr
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_it_well_within_a_second(tmp_path: Path, number: signal.Signals) -> None:
+    with daemon(tmp_path / "log") as running:
+        started_s = time.monotonic()
+        running.process.send_signal(number)
+        assert running.process.wait(timeout=10.0 * STOP_S) == 0
+        assert time.monotonic() - started_s < STOP_S
+
+
+@pytest.mark.parametrize("arguments", [(), ("run",), ("measure",), ("run", "--config")])
+def test_a_wrong_command_line_is_a_usage_error(arguments: tuple[str, ...]) -> None:
+    assert finished(*arguments).returncode == 2
+
+
+def test_the_version_is_told() -> None:
+    told = finished("version")
+    assert told.returncode == 0
+    assert told.stdout.startswith("tripointd ")
