@@ -1,0 +1,127 @@
+// The line does not allocate once it runs. This program stands in for malloc, in order to count.
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "line/line.h"
+#include "synthetic_cameras.h"
+#include "verdicts.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kCounting = false;  // a sanitizer stands in for malloc itself
+#else
+constexpr bool kCounting = true;
+
+// What glibc calls its own functions; operator new and Eigen come here through malloc.
+extern "C" {
+void* __libc_malloc(std::size_t size);                           // NOLINT(bugprone-reserved-identifier)
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT(bugprone-reserved-identifier)
+void* __libc_realloc(void* memory, std::size_t size);            // NOLINT(bugprone-reserved-identifier)
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace tripoint {
+namespace {
+
+using testing::at_rest;
+
+template <typename Work>
+long allocations_in(const Work& work) {
+  const long before = allocations.load();
+  work();
+  return allocations.load() - before;
+}
+
+LineModel heavy_model() {
+  LineModel model = testing::webcam_model();
+  model.covariance.diagonal().setConstant(1e-4);
+  return model;
+}
+
+long allocations_of_a_run(const LineModel& model, std::vector<Event> events) {
+  events.push_back(CameraLost{Side::kLeft, TimePoint{duration_from_seconds(3.5)}});
+  events.push_back(CameraBack{Side::kLeft, TimePoint{duration_from_seconds(3.6)}});
+  events.push_back(Tick{TimePoint{duration_from_seconds(5.0)}});
+  Line line(testing::shared_model(model));
+  std::size_t found = 0;
+  const long count = allocations_in([&] {
+    for (const Event& event : events) {
+      if (line.step(event)) ++found;
+      if (line.forecast().number > 1'000'000) std::abort();
+    }
+  });
+  EXPECT_GT(found, 50U);
+  return count;
+}
+
+testing::Shooting two_seconds() {
+  testing::Shooting shooting = testing::free_running();
+  shooting.duration_s = 2.0;
+  return shooting;
+}
+
+class AllocationTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!kCounting) GTEST_SKIP() << "a sanitizer stands in for malloc: nothing can be counted";
+  }
+};
+
+TEST_F(AllocationTest, TheCounterSeesPlantedAllocations) {
+  volatile Eigen::Index size = 5;
+  EXPECT_GE(allocations_in([&] { const std::vector<double> planted(static_cast<std::size_t>(size), 1.0); }), 1);
+  EXPECT_GE(allocations_in([&] { const Eigen::VectorXd planted = Eigen::VectorXd::Ones(size); }), 1);
+}
+
+TEST_F(AllocationTest, OnePointAllocatesNothing) {
+  const LineModel model = heavy_model();
+  EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, {testing::circle(100.0)}, two_seconds())), 0);
+}
+
+TEST_F(AllocationTest, ThePapersMethodAllocatesNothing) {
+  LineModel model = heavy_model();
+  model.method = Method::kPaper;
+  EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, {testing::circle(100.0)}, two_seconds())), 0);
+}
+
+TEST_F(AllocationTest, TwelvePointsAndErrorsAllocateNothing) {
+  const LineModel model = heavy_model();
+  std::vector<testing::Path> paths;
+  for (int i = 0; i < 12; ++i) paths.push_back(at_rest({-80.0 + 14.0 * i, -70.0 + 12.0 * i, 400.0}));
+  EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, paths, two_seconds())), 0);
+}
+
+}  // namespace
+}  // namespace tripoint
