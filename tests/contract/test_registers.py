@@ -84,7 +84,9 @@ def test_a_file_that_is_not_a_map_is_refused(spoil: Callable[[Document], None], 
 
 def test_a_page_that_is_not_up_to_date_is_refused(tmp_path: Any) -> None:
     old = tmp_path / "registers.md"
-    old.write_text(check_registers.PAGE.read_text(encoding="utf-8").replace("heartbeat", "heart beat"), encoding="utf-8")
+    old.write_text(
+        check_registers.PAGE.read_text(encoding="utf-8").replace("heartbeat", "heart beat"), encoding="utf-8"
+    )
     assert "run `make docs`" in check_registers.verdict(check_registers.MAP, old)[0]
 
 
