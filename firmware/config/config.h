@@ -1,9 +1,11 @@
-// The configuration: one TOML file, parsed once, checked whole, passed on by piece.
+// The configuration as one checked value: a plain struct for each table, defaults as documented.
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,99 +18,111 @@
 namespace tripoint {
 
 enum class CameraSource : std::uint8_t { kV4l2, kSimulation, kRecording };
-enum class CameraFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
-enum class FrameOfOutput : std::uint8_t { kReference, kLeftCamera };
-enum class PoseMethod : std::uint8_t { kMaximumLikelihood, kPaper };
+enum class ConfiguredFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
+enum class ConfiguredFrame : std::uint8_t { kReference, kLeftCamera };
+enum class ConfiguredMethod : std::uint8_t { kMaximumLikelihood, kPaper };
+enum class ConfiguredDetector : std::uint8_t { kLed };
+enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume };
 
-/// How the unit finds one camera; empty = not used. At least one must be given for "v4l2".
+/// Which camera is the left or the right one; "" = not asked for. `device` overrides both.
 struct CameraBinding {
-  std::string port;    ///< USB port path, "1-1.2"
+  std::string port;  ///< USB port path
   std::string serial;
-  std::string device;  ///< "/dev/video0", for machines where neither helps
+  std::string device;  ///< /dev/videoN
 };
 
 struct CamerasConfig {
   CameraSource source = CameraSource::kV4l2;
-  CameraFormat format = CameraFormat::kYuyv;
-  ImageSize size{.width_px = 640, .height_px = 480};
+  ConfiguredFormat format = ConfiguredFormat::kYuyv;
+  ImageSize size{640, 480};
   double rate_hz = 30.0;
-  int exposure_us = 2000;
+  std::chrono::microseconds exposure{2000};
   int gain = 0;
   int white_balance_k = 4500;
   int focus = 0;
-  int loss_after_ms = 100;
-  PerSide<CameraBinding> binding;
+  std::chrono::milliseconds loss_after{100};
+  PerSide<CameraBinding> bindings;
 };
 
+struct RecordingConfig {
+  std::filesystem::path folder;
+  bool paced = true;  ///< false: as fast as possible
+};
+
+/// The names and units of LedDetectorSettings.
 struct DetectorConfig {
-  std::string kind = "led";
+  ConfiguredDetector kind = ConfiguredDetector::kLed;
+  int min_peak = 850;
+  int min_contrast = 45;
+  int max_spots = 12;
+};
+
+/// The working volume in the output frame.
+struct VolumeConfig {
+  Vec3 min_mm = Vec3::Zero();
+  Vec3 max_mm = Vec3::Zero();
 };
 
 struct TimingConfig {
-  double offset_prior_ms = 10.0;  ///< standard deviation of the unknown offset between the cameras' stamps
-  double bound_mm = 1.0;          ///< what time may contribute (standard deviation); above it fault 9
-  double line_time_us = 0.0;      ///< rolling shutter: time from row to row
+  double offset_prior_ms = 10.0;
+  double bound_mm = 1.0;
+  double line_time_us = 0.0;
 };
 
 struct OutputConfig {
-  FrameOfOutput frame = FrameOfOutput::kReference;
-  PoseMethod method = PoseMethod::kMaximumLikelihood;
-  int age_limit_ms = 200;
-  int latch_hold_ms = 10000;
+  ConfiguredFrame frame = ConfiguredFrame::kReference;
+  ConfiguredMethod method = ConfiguredMethod::kMaximumLikelihood;
+  std::chrono::milliseconds age_limit{200};
+  std::chrono::milliseconds latch_hold{10'000};
   double settled_mm_per_s = 5.0;
 };
 
 struct ModbusConfig {
   std::string address = "127.0.0.1";
   std::uint16_t port = 1502;
-  std::vector<std::string> command_clients;  ///< addresses or networks that may write the command word
-  std::vector<std::string> allowed_clients;  ///< empty: everyone may read
+  std::vector<std::string> command_clients;  ///< addresses or networks a.b.c.d/n; empty: nobody may write
+  std::vector<std::string> allowed_clients;  ///< empty: everyone
   int max_connections = 64;
   std::uint32_t serial_number = 0;
 };
 
 struct SimulationConfig {
-  std::string scenario = "paper-circular";
-  std::filesystem::path trajectory_file;  ///< overrides the scenario
-  std::uint64_t seed = 1;
+  Scenario scenario = Scenario::kPaperCircular;
+  std::filesystem::path trajectory_file;  ///< when not empty, instead of the scenario
+  std::uint32_t seed = 1;
   double stamp_jitter_us = 0.0;
-  double clock_drift_ppm = 0.0;  ///< left slow, right fast by half of it each
-  double right_phase_ms = 0.0;   ///< the right camera exposes so much later
-};
-
-struct VolumeConfig {
-  Vec3 min_mm = Vec3::Zero();
-  Vec3 max_mm = Vec3::Zero();
-};
-
-struct RecordingConfig {
-  std::filesystem::path folder;
-  bool paced = true;
+  double clock_drift_ppm = 0.0;
+  double right_phase_ms = 0.0;     ///< how much later the right camera exposes
+  bool calibration_error = false;  ///< measure with a calibration that errs as a real one does
 };
 
 struct Config {
   CamerasConfig cameras;
-  std::filesystem::path calibration_file;  ///< empty: nothing is measured
+  std::filesystem::path calibration_file;  ///< empty: measures nothing, fault 0
   RecordingConfig recording;
   DetectorConfig detector;
-  std::filesystem::path target_file;  ///< empty: one LED at the target's origin
+  std::filesystem::path target_file;  ///< empty: one LED at the origin
   VolumeConfig volume;
   TimingConfig timing;
   OutputConfig output;
   ModbusConfig modbus;
   SimulationConfig simulation;
-
-  std::array<std::uint8_t, 32> sha256{};  ///< over everything
-  std::string setup_text;                 ///< the part that register 146 speaks of, in a canonical form
+  std::vector<std::string> values;  ///< "table.key = value" of everything above, sorted; paths as written
+  std::uint32_t id = 0;             ///< registers 16-17
 };
 
-/// @param overrides  "table.key=value" from the command line, applied before checking
-/// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange; the message names file, line, key and permitted range.
-///   Relative file names are relative to the configuration file's folder.
-Result<Config> parse_config(std::string_view text, const std::filesystem::path& file,
-                            const std::vector<std::string>& overrides);
+/// Checks the whole text. Relative paths are taken from the folder of `file_name`.
+///
+/// @param overrides "table.key=value" each, from the command line; values of text need no quotes
+/// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange naming file, line, key and what is permitted
+Result<Config> parse_config(std::string_view text, std::string_view file_name, std::span<const std::string> overrides);
 
 /// @return kCannotRead, or as parse_config
-Result<Config> load_config(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+Result<Config> load_config(const std::filesystem::path& path, std::span<const std::string> overrides);
+
+/// The same text for every way of writing the same values of these tables: what a hash is made of. For the setup
+/// (register 146) the tables are kSetupTables; the source is cameras.source.
+std::string canonical_text(const Config& config, std::span<const std::string_view> tables);
+inline constexpr std::array<std::string_view, 4> kSetupTables{"cameras", "detector", "timing", "output"};
 
 }  // namespace tripoint

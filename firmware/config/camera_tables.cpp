@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "config/tables.h"
+
+namespace tripoint {
+namespace {
+
+constexpr std::array<ImageSize, 3> kSizes{{{320, 240}, {640, 480}, {1280, 720}}};
+
+int integer(TableReader& table, std::string_view key, Permitted<std::int64_t> permitted, int otherwise) {
+  return static_cast<int>(table.integer(key, permitted, otherwise));
+}
+
+CameraBinding binding_from(TableReader table) {
+  CameraBinding binding{table.text("port", ""), table.text("serial", ""), table.text("device", "")};
+  table.finish();
+  return binding;
+}
+
+bool bound(const CameraBinding& binding) {
+  return !binding.port.empty() || !binding.serial.empty() || !binding.device.empty();
+}
+
+void check_bindings(TableReader& table, const CamerasConfig& cameras) {
+  if (cameras.source != CameraSource::kV4l2) return;
+  for (const Side side : kBothSides) {
+    if (!bound(cameras.bindings[side])) {
+      table.refuse(name(side), "names no camera; permitted with source \"v4l2\" is a port, serial or device");
+    }
+  }
+}
+
+void check_size(TableReader& table, const ImageSize& size) {
+  if (std::find(kSizes.begin(), kSizes.end(), size) != kSizes.end()) return;
+  table.refuse("width_px",
+               fmt::format("with height_px = {}: permitted is 320 x 240, 640 x 480 or 1280 x 720", size.height_px));
+}
+
+void check_exposure(TableReader& table, const CamerasConfig& cameras) {
+  const double period_us = 1e6 / cameras.rate_hz;
+  if (static_cast<double>(cameras.exposure.count()) <= period_us) return;
+  table.refuse("exposure_us",
+               fmt::format("longer than a frame; permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
+}
+
+}  // namespace
+
+CamerasConfig cameras_from(TableReader table) {
+  CamerasConfig c;
+  c.source = table.choice<CameraSource>("source",
+                                        {{"v4l2", CameraSource::kV4l2},
+                                         {"simulation", CameraSource::kSimulation},
+                                         {"recording", CameraSource::kRecording}},
+                                        c.source);
+  c.format = table.choice<ConfiguredFormat>(
+      "format",
+      {{"yuyv", ConfiguredFormat::kYuyv}, {"mjpeg", ConfiguredFormat::kMjpeg}, {"grey", ConfiguredFormat::kGrey}},
+      c.format);
+  c.size.width_px = integer(table, "width_px", {320, 1280}, c.size.width_px);
+  c.size.height_px = integer(table, "height_px", {240, 720}, c.size.height_px);
+  c.rate_hz = table.number("rate_hz", {1.0, 240.0}, c.rate_hz);
+  c.exposure = std::chrono::microseconds{table.integer("exposure_us", {1, 1'000'000}, c.exposure.count())};
+  c.gain = integer(table, "gain", {0, 65'535}, c.gain);
+  c.white_balance_k = integer(table, "white_balance_k", {2000, 10'000}, c.white_balance_k);
+  c.focus = integer(table, "focus", {0, 65'535}, c.focus);
+  c.loss_after = std::chrono::milliseconds{table.integer("loss_after_ms", {20, 10'000}, c.loss_after.count())};
+  for (const Side side : kBothSides) c.bindings[side] = binding_from(table.table(name(side)));
+  check_size(table, c.size);
+  check_exposure(table, c);
+  table.finish();
+  check_bindings(table, c);
+  return c;
+}
+
+DetectorConfig detector_from(TableReader table, ConfiguredFormat format) {
+  DetectorConfig d;
+  d.kind = table.choice<ConfiguredDetector>("kind", {{"led", ConfiguredDetector::kLed}}, d.kind);
+  d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
+  d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
+  d.max_spots = integer(table, "max_spots", {1, 48}, d.max_spots);
+  if (format == ConfiguredFormat::kGrey && d.kind == ConfiguredDetector::kLed) {
+    table.refuse("kind",
+                 "red LEDs cannot be told from other lights without colour; permitted for led is cameras.format "
+                 "\"yuyv\" or \"mjpeg\"");
+  }
+  table.finish();
+  return d;
+}
+
+SimulationConfig simulation_from(TableReader table, const std::filesystem::path& folder) {
+  SimulationConfig s;
+  s.scenario = table.choice<Scenario>("scenario",
+                                      {{"paper-linear", Scenario::kPaperLinear},
+                                       {"paper-circular", Scenario::kPaperCircular},
+                                       {"scout", Scenario::kScout},
+                                       {"static-volume", Scenario::kStaticVolume}},
+                                      s.scenario);
+  s.trajectory_file = path_from(folder, table.text("trajectory_file", ""));
+  s.seed = static_cast<std::uint32_t>(table.integer("seed", {0, 4'294'967'295}, s.seed));
+  s.stamp_jitter_us = table.number("stamp_jitter_us", {0.0, 20'000.0}, s.stamp_jitter_us);
+  s.clock_drift_ppm = table.number("clock_drift_ppm", {-1000.0, 1000.0}, s.clock_drift_ppm);
+  s.right_phase_ms = table.number("right_phase_ms", {0.0, 1000.0}, s.right_phase_ms);
+  s.calibration_error = table.truth("calibration_error", s.calibration_error);
+  table.finish();
+  return s;
+}
+
+RecordingConfig recording_from(TableReader table, const std::filesystem::path& folder, CameraSource source) {
+  RecordingConfig r;
+  r.folder = path_from(folder, table.text("folder", ""));
+  r.paced = table.truth("paced", r.paced);
+  if (source == CameraSource::kRecording && r.folder.empty()) {
+    table.refuse("folder", "is missing; required with cameras.source \"recording\"");
+  }
+  table.finish();
+  return r;
+}
+
+}  // namespace tripoint

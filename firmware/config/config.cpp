@@ -1,0 +1,84 @@
+#include "config/config.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "config/tables.h"
+#include "document/file.h"
+#include "document/sha256.h"
+#include "document/table_reader.h"
+#include "document/toml_tree.h"
+
+namespace tripoint {
+namespace {
+
+Result<TomlTable> tree_from(std::string_view text, std::string_view file_name, std::span<const std::string> overrides) {
+  Result<TomlTable> tree = toml_tree_from(text, file_name);
+  for (const std::string& assignment : overrides) {
+    if (tree) tree = with_override(*std::move(tree), assignment);
+  }
+  return tree;
+}
+
+/// A table with one key, which names a file.
+std::filesystem::path file_from(TableReader table, const std::filesystem::path& folder) {
+  std::filesystem::path file = path_from(folder, table.text("file", ""));
+  table.finish();
+  return file;
+}
+
+Config config_from(TableReader& root, const std::filesystem::path& folder) {
+  Config config;
+  config.cameras = cameras_from(root.table("cameras"));
+  config.calibration_file = file_from(root.table("calibration"), folder);
+  config.recording = recording_from(root.table("recording"), folder, config.cameras.source);
+  config.detector = detector_from(root.table("detector"), config.cameras.format);
+  config.target_file = file_from(root.table("target"), folder);
+  config.volume = volume_from(root.table("volume"));
+  config.timing = timing_from(root.table("timing"));
+  config.output = output_from(root.table("output"));
+  config.modbus = modbus_from(root.table("modbus"));
+  config.simulation = simulation_from(root.table("simulation"), folder);
+  root.finish();
+  return config;
+}
+
+std::string joined(std::span<const std::string> lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::filesystem::path path_from(const std::filesystem::path& folder, const std::string& written) {
+  return written.empty() ? std::filesystem::path{} : (folder / written).lexically_normal();
+}
+
+Result<Config> parse_config(std::string_view text, std::string_view file_name, std::span<const std::string> overrides) {
+  const Result<TomlTable> tree = tree_from(text, file_name, overrides);
+  if (!tree) return tl::make_unexpected(tree.error());
+  Findings findings{std::string{file_name}};
+  TableReader root{findings, *tree};
+  Config config = config_from(root, std::filesystem::path{file_name}.parent_path());
+  if (findings.error()) return tl::make_unexpected(*findings.error());
+  config.values = findings.values();
+  config.id = id_from(sha256(joined(config.values)));
+  return config;
+}
+
+Result<Config> load_config(const std::filesystem::path& path, std::span<const std::string> overrides) {
+  const Result<std::string> text = read_file(path, kMostDocumentBytes);
+  if (!text) return tl::make_unexpected(text.error());
+  return parse_config(*text, path.string(), overrides);
+}
+
+std::string canonical_text(const Config& config, std::span<const std::string_view> tables) {
+  std::vector<std::string> lines;
+  std::copy_if(config.values.begin(), config.values.end(), std::back_inserter(lines), [&](const std::string& line) {
+    return std::find(tables.begin(), tables.end(), std::string_view{line}.substr(0, line.find('.'))) != tables.end();
+  });
+  return joined(lines);
+}
+
+}  // namespace tripoint
