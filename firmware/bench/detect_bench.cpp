@@ -52,7 +52,7 @@ class Ring {
 int read_once(std::span<const std::uint8_t> frame) {
   std::array<Bytes16, 4> largest{};
   for (std::size_t i = 0; i + 64 <= frame.size(); i += 64) {
-    for (std::size_t k = 0; k < 4; ++k) largest[k] = larger(largest[k], load<Bytes16>(frame.data() + i + 16 * k));
+    for (std::size_t k = 0; k < 4; ++k) largest[k] = larger(largest[k], loaded<Bytes16>(frame.data() + i + 16 * k));
   }
   return larger(larger(largest[0], largest[1]), larger(largest[2], largest[3]))[0];
 }

@@ -26,11 +26,11 @@ std::uint8_t largest_v_of_cell(const Picture& picture, int column, int row) {
 template <int kRows>
 Bytes16 largest_of_rows(const std::uint8_t* first, std::size_t stride) {
   static_assert(kRows == 4 || kRows == 8);
-  const Bytes16 a = larger(load<Bytes16>(first), load<Bytes16>(first + stride));
-  const Bytes16 b = larger(load<Bytes16>(first + 2 * stride), load<Bytes16>(first + 3 * stride));
+  const Bytes16 a = larger(loaded<Bytes16>(first), loaded<Bytes16>(first + stride));
+  const Bytes16 b = larger(loaded<Bytes16>(first + 2 * stride), loaded<Bytes16>(first + 3 * stride));
   if constexpr (kRows == 4) return larger(a, b);
-  const Bytes16 c = larger(load<Bytes16>(first + 4 * stride), load<Bytes16>(first + 5 * stride));
-  const Bytes16 d = larger(load<Bytes16>(first + 6 * stride), load<Bytes16>(first + 7 * stride));
+  const Bytes16 c = larger(loaded<Bytes16>(first + 4 * stride), loaded<Bytes16>(first + 5 * stride));
+  const Bytes16 d = larger(loaded<Bytes16>(first + 6 * stride), loaded<Bytes16>(first + 7 * stride));
   return larger(larger(a, b), larger(c, d));
 }
 
@@ -103,7 +103,7 @@ void halve(const CellMap& fine, CellMap& coarse) {
     std::uint8_t* cells = coarse.row(y);
     for (int x = 0; x < coarse.columns(); x += 8) {
       // Right of the last column there are zeros, and zeros are written there.
-      Bytes16 m = larger(load<Bytes16>(upper + 2 * x), load<Bytes16>(lower + 2 * x));
+      Bytes16 m = larger(loaded<Bytes16>(upper + 2 * x), loaded<Bytes16>(lower + 2 * x));
       m = larger(m, reinterpret_cast<Bytes16>(reinterpret_cast<Shorts8>(m) >> 8U));
       const Bytes16 packed = __builtin_shufflevector(m, m, 0, 2, 4, 6, 8, 10, 12, 14, 0, 2, 4, 6, 8, 10, 12, 14);
       std::memcpy(cells + x, &packed, 8);

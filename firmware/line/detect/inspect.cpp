@@ -140,13 +140,22 @@ DropCause Inspector::isolate(const Picture& picture) {
   return area_.aspect() > settings_.max_aspect ? DropCause::kElongated : DropCause::kKept;
 }
 
-DropCause Inspector::compare_with_surround(const Picture& picture) {
+/// Makes the window large enough for the ring around the area.
+void Inspector::show_surround(const Picture& picture) {
+  const double reach_px = surround_reach_px(area_);
+  const bool shown = area_.column >= reach_px && area_.column + reach_px <= window_.columns() - 1 &&
+                     area_.row >= reach_px && area_.row + reach_px <= window_.rows() - 1;
+  if (shown) return;
   const auto center_u = static_cast<int>(std::lround(seen_.at.u_px));
   const auto center_v = static_cast<int>(std::lround(seen_.at.v_px));
-  const int needed = static_cast<int>(std::ceil(surround_reach_px(area_))) + 1;
+  const int needed = static_cast<int>(std::ceil(reach_px)) + 1;
   window_.load(picture, center_u, center_v, std::min(needed, SpotWindow::kMaxHalf));
   area_ = flood_.spread(window_, SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()),
                         threshold_);
+}
+
+DropCause Inspector::compare_with_surround(const Picture& picture) {
+  show_surround(picture);
   const int peak = static_cast<int>(seen_.peak);
   around_ = surround_of(window_, area_, peak);
   if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;

@@ -45,6 +45,7 @@ class Inspector {
 
   void find_peak();
   bool spread_alone(int background);
+  void show_surround(const Picture& picture);
   void fill_fit_window(Channel channel);
   std::optional<SpotFit> fit_channel(Channel channel);
   [[nodiscard]] double share_of_radius(const SpotFit& spot) const;

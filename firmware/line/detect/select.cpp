@@ -15,11 +15,11 @@ Bytes16 local_maxima(const CellMap& map, int x, int y) {
   const std::uint8_t* above = map.row(y - 1) + x;
   const std::uint8_t* here = map.row(y) + x;
   const std::uint8_t* below = map.row(y + 1) + x;
-  const Bytes16 center = load<Bytes16>(here);
-  const Bytes16 before = larger(larger(load<Bytes16>(above - 1), load<Bytes16>(above)),
-                                larger(load<Bytes16>(above + 1), load<Bytes16>(here - 1)));
-  const Bytes16 after = larger(larger(load<Bytes16>(below - 1), load<Bytes16>(below)),
-                               larger(load<Bytes16>(below + 1), load<Bytes16>(here + 1)));
+  const Bytes16 center = loaded<Bytes16>(here);
+  const Bytes16 before = larger(larger(loaded<Bytes16>(above - 1), loaded<Bytes16>(above)),
+                                larger(loaded<Bytes16>(above + 1), loaded<Bytes16>(here - 1)));
+  const Bytes16 after = larger(larger(loaded<Bytes16>(below - 1), loaded<Bytes16>(below)),
+                               larger(loaded<Bytes16>(below + 1), loaded<Bytes16>(here + 1)));
   return reinterpret_cast<Bytes16>(center > before) & reinterpret_cast<Bytes16>(center >= after);
 }
 
@@ -37,10 +37,10 @@ void for_each_ring_cell(const CellMap& map, int x, int y, See see) {
 
 /// 255 where the ring is dark enough.
 Bytes16 standing_alone(const CellMap& map, int x, int y, const LedDetectorSettings& settings) {
-  const Bytes16 bright = minus(load<Bytes16>(map.row(y) + x), all_of(settings.ring_step));
+  const Bytes16 bright = minus(loaded<Bytes16>(map.row(y) + x), all_of(settings.ring_step));
   Bytes16 count{};
   for_each_ring_cell(map, x, y, [&](const std::uint8_t* cells) {
-    count -= reinterpret_cast<Bytes16>(load<Bytes16>(cells) >= bright);
+    count -= reinterpret_cast<Bytes16>(loaded<Bytes16>(cells) >= bright);
   });
   return reinterpret_cast<Bytes16>(count <= all_of(settings.max_ring_cells));
 }
@@ -53,7 +53,7 @@ Cell cell_at(const CellMap& map, int x, int y, int size_px) {
 }
 
 Bytes16 selected(const CellMap& map, int x, int y, const LedDetectorSettings& settings) {
-  const auto red = reinterpret_cast<Bytes16>(load<Bytes16>(map.row(y) + x) >= all_of(settings.min_red));
+  const auto red = reinterpret_cast<Bytes16>(loaded<Bytes16>(map.row(y) + x) >= all_of(settings.min_red));
   if (!any(red)) return red;
   const Bytes16 peaks = red & local_maxima(map, x, y);
   return any(peaks) ? peaks & standing_alone(map, x, y, settings) : peaks;

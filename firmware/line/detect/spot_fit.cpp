@@ -97,11 +97,11 @@ Normal normal_equations(const FitWindow& window, const SpotModel& model) {
     const float scale = amplitude * e_row;
     RowSums s;
     for (int i = 0; i < window.columns(); i += 4) {
-      const auto w = load<Floats4>(window.weights(row) + i);
-      const auto e = load<Floats4>(across.values() + i);
-      const auto d = load<Floats4>(across.by_center() + i);
-      const auto q = load<Floats4>(across.by_sigma() + i);
-      const Floats4 r = w * (load<Floats4>(window.values(row) + i) - background - scale * e);
+      const auto w = loaded<Floats4>(window.weights(row) + i);
+      const auto e = loaded<Floats4>(across.values() + i);
+      const auto d = loaded<Floats4>(across.by_center() + i);
+      const auto q = loaded<Floats4>(across.by_sigma() + i);
+      const Floats4 r = w * (loaded<Floats4>(window.values(row) + i) - background - scale * e);
       const Floats4 we = w * e;
       const Floats4 wd = w * d;
       const Floats4 wq = w * q;

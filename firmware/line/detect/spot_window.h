@@ -13,7 +13,7 @@ namespace tripoint {
 class SpotWindow {
  public:
   static constexpr int kMaxHalf = 40;
-  static constexpr int kStride = 2 * kMaxHalf + 4;
+  static constexpr int kStride = 88;  ///< whole groups of 8 pixels for 2 * kMaxHalf + 2
   static constexpr std::size_t kPixels = std::size_t{kStride} * kStride;
   static constexpr std::int16_t kOutside = -1;  ///< strength of a pixel outside the picture
 
@@ -38,8 +38,9 @@ class SpotWindow {
 
  private:
   void load_row(const Picture& picture, int row);
+  void load_eight(const std::uint8_t* yuyv, std::size_t i);
   template <int kLumaStep, int kRedStep>
-  void load_pairs(const Picture& picture, int row, int v_px);
+  void load_pair(const Picture& picture, std::size_t i, int u_px, int v_px);
 
   int left_px_ = 0;
   int top_px_ = 0;

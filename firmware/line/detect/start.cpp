@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace tripoint {
@@ -40,7 +41,10 @@ void for_each_red(const Picture& picture, const Box& box, See see) {
   const int right = std::min(box.right_px, picture.size.width_px - 1);
   const int bottom = std::min(box.bottom_px, picture.size.height_px - 1);
   for (int v = std::max(box.top_px, 0); v <= bottom; v += step) {
-    for (int u = std::max(box.left_px, 0) & ~1; u <= right; u += 2) see(u, v, picture.v.at(u / 2, v / step));
+    const std::uint8_t* reds = picture.v.data + static_cast<std::size_t>(v / step) * picture.v.stride_bytes;
+    for (int u = std::max(box.left_px, 0) & ~1; u <= right; u += 2) {
+      see(u, v, reds[static_cast<std::size_t>(u / 2) * picture.v.step_bytes]);
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 namespace tripoint {
 
 using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
+using Bytes8 = std::uint8_t __attribute__((vector_size(8)));
 using Shorts8 = std::uint16_t __attribute__((vector_size(16)));
 using Words4 = std::uint32_t __attribute__((vector_size(16)));
 using Longs2 = std::uint64_t __attribute__((vector_size(16)));
@@ -14,7 +15,7 @@ using Ints4 = std::int32_t __attribute__((vector_size(16)));
 using Floats4 = float __attribute__((vector_size(16)));
 
 template <typename Vector>
-Vector load(const void* from) {
+Vector loaded(const void* from) {
   Vector value;
   std::memcpy(&value, from, sizeof value);
   return value;
