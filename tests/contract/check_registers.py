@@ -14,6 +14,8 @@ sys.path.insert(0, str(TOP / "cmake"))
 
 from registers import MAP, PAGE, verdict  # noqa: E402  (the generator is beside the build files, not installed)
 
+__all__ = ["MAP", "PAGE", "main", "verdict"]
+
 
 def main() -> int:
     """Check the map of the tree, or the one named."""

@@ -31,7 +31,9 @@ def violations(folders: Iterable[Path]) -> list[str]:
 def _of_file(file: Path) -> list[str]:
     text = file.read_text()
     lines = text.count("\n")
-    found = [f"{file}: {lines} lines (limit {FILE_LINES}): a room that may hold two ideas"] if lines > FILE_LINES else []
+    found = (
+        [f"{file}: {lines} lines (limit {FILE_LINES}): a room that may hold two ideas"] if lines > FILE_LINES else []
+    )
     for function in lizard.analyze_file.analyze_source_code(str(file), text).function_list:
         where = f"{file}:{function.start_line}: {function.name}"
         if function.length > FUNCTION_LINES:
