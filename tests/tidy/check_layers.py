@@ -30,7 +30,7 @@ ALLOWED: dict[str, set[str]] = {
     "config": {"values", "geometry", "document"},
     "devices": {"values", "geometry", "ports"},
     "sim": {"values", "geometry", "ports"},
-    "recording": {"values", "geometry", "ports", "line-values", "document"},
+    "recording": {"values", "geometry", "ports", "line-values", "document", "capture"},
     "serve": {"values", "geometry", "line-values", "calibration", "config"},
     "net": {"values", "serve"},
 }
