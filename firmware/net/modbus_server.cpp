@@ -1,5 +1,7 @@
 #include "net/modbus_server.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
@@ -29,7 +31,7 @@ struct AtomicCounters {
 };
 
 Error open_error(const ModbusSettings& settings, const error_code& error) {
-  const std::string where = "modbus: " + settings.address + ":" + std::to_string(settings.port) + ": ";
+  const std::string where = fmt::format("modbus: {}:{}: ", settings.address, settings.port);
   if (error == boost::asio::error::address_in_use) {
     return {ErrorCode::kAddressInUse, where + "the port is in use; stop the other program or set modbus.port"};
   }

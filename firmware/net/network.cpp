@@ -1,5 +1,7 @@
 #include "net/network.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
 #include <charconv>
@@ -16,10 +18,10 @@ Result<unsigned> prefix_from(std::string_view text, unsigned longest) {
   unsigned bits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    return failure(ErrorCode::kMalformed, "'/" + std::string(text) + "' is not a prefix length");
+    return failure(ErrorCode::kMalformed, fmt::format("'/{}' is not a prefix length", text));
   }
   if (bits > longest) {
-    return failure(ErrorCode::kOutOfRange, "prefix " + std::string(text) + ": 0 to " + std::to_string(longest));
+    return failure(ErrorCode::kOutOfRange, fmt::format("prefix {}: 0 to {}", text, longest));
   }
   return bits;
 }
@@ -38,7 +40,7 @@ ClientAddress client_address_of(const boost::asio::ip::address& address) {
 Result<ClientAddress> client_address_from(std::string_view text) {
   boost::system::error_code error;
   const auto address = boost::asio::ip::make_address(std::string(text), error);
-  if (error) return failure(ErrorCode::kMalformed, "'" + std::string(text) + "' is not a numeric address");
+  if (error) return failure(ErrorCode::kMalformed, fmt::format("'{}' is not a numeric address", text));
   return client_address_of(address);
 }
 

@@ -1,5 +1,6 @@
 #include "net/realtime.h"
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <sched.h>
 
@@ -12,9 +13,10 @@ Result<void> take_realtime_priority(int priority) {
   parameters.sched_priority = priority;
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   if (error == 0) return {};
-  return failure(ErrorCode::kControlRefused, "modbus: no real-time priority (" +
-                                                 std::generic_category().message(error) +
-                                                 "); answers may wait under load; grant LimitRTPRIO or CAP_SYS_NICE");
+  return failure(ErrorCode::kControlRefused,
+                 fmt::format("modbus: no real-time priority ({}); answers may wait under load; grant LimitRTPRIO or "
+                             "CAP_SYS_NICE",
+                             std::generic_category().message(error)));
 }
 
 }  // namespace tripoint

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -23,10 +24,16 @@ using std::chrono::milliseconds;
 inline constexpr milliseconds kPatience{5000};  // generous: the machine that runs the tests is shared
 
 inline Bytes frame_of(std::uint16_t transaction, const Bytes& pdu) {
-  const auto length = static_cast<std::uint16_t>(pdu.size() + 1);
-  Bytes frame{static_cast<std::uint8_t>(transaction >> 8U), static_cast<std::uint8_t>(transaction & 0xFFU), 0,  0,
-              static_cast<std::uint8_t>(length >> 8U),      static_cast<std::uint8_t>(length & 0xFFU),      255};
-  frame.insert(frame.end(), pdu.begin(), pdu.end());
+  const std::size_t length = pdu.size() + 1;
+  Bytes frame(6 + length);
+  const auto put = [&](std::size_t at, std::size_t word) {
+    frame[at] = static_cast<std::uint8_t>(word >> 8U);
+    frame[at + 1] = static_cast<std::uint8_t>(word & 0xFFU);
+  };
+  put(0, transaction);
+  put(4, length);
+  frame[6] = 255;
+  std::copy(pdu.begin(), pdu.end(), frame.begin() + 7);
   return frame;
 }
 
