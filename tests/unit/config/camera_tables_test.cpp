@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "config_text.h"
+
+namespace tripoint {
+namespace {
+
+using testing::config_with;
+using ::testing::HasSubstr;
+using testing::message_with;
+
+TEST(CamerasConfigTest, EveryKeyIsRead) {
+  const CamerasConfig c =
+      config_with({"cameras.source=v4l2", "cameras.format=mjpeg", "cameras.width_px=1280", "cameras.height_px=720",
+                   "cameras.rate_hz=29.97", "cameras.exposure_us=500", "cameras.gain=3", "cameras.white_balance_k=5000",
+                   "cameras.focus=10", "cameras.loss_after_ms=150", "cameras.left.port=1-1", "cameras.right.serial=R",
+                   "cameras.right.device=/dev/video2"})
+          ->cameras;
+  EXPECT_EQ(c.source, CameraSource::kV4l2);
+  EXPECT_EQ(c.format, ConfiguredFormat::kMjpeg);
+  EXPECT_EQ(c.size, (ImageSize{1280, 720}));
+  EXPECT_EQ(c.rate_hz, 29.97);
+  EXPECT_EQ(c.exposure, std::chrono::microseconds{500});
+  EXPECT_EQ(c.gain, 3);
+  EXPECT_EQ(c.white_balance_k, 5000);
+  EXPECT_EQ(c.focus, 10);
+  EXPECT_EQ(c.loss_after, std::chrono::milliseconds{150});
+  EXPECT_EQ(c.bindings.left.port, "1-1");
+  EXPECT_EQ(c.bindings.right.serial, "R");
+  EXPECT_EQ(c.bindings.right.device, "/dev/video2");
+}
+
+TEST(CamerasConfigTest, OnlyThreeSizesArePermitted) {
+  EXPECT_EQ(message_with({"cameras.width_px=320", "cameras.height_px=240"}), "");
+  EXPECT_THAT(message_with({"cameras.width_px=320"}), HasSubstr("permitted is 320 x 240, 640 x 480 or 1280 x 720"));
+  EXPECT_THAT(message_with({"cameras.width_px=800", "cameras.height_px=600"}), HasSubstr("permitted"));
+}
+
+TEST(CamerasConfigTest, AnUnknownSourceOrFormatListsThePermittedOnes) {
+  EXPECT_THAT(message_with({"cameras.source=usb"}), HasSubstr("\"v4l2\", \"simulation\", \"recording\""));
+  EXPECT_THAT(message_with({"cameras.format=rgb"}), HasSubstr("\"yuyv\", \"mjpeg\", \"grey\""));
+}
+
+TEST(CamerasConfigTest, RealCamerasMustBeToldApart) {
+  EXPECT_THAT(message_with({"cameras.source=v4l2", "cameras.left.port=1-1"}),
+              HasSubstr("cameras.right: names no camera"));
+  EXPECT_EQ(message_with({"cameras.source=v4l2", "cameras.left.port=1-1", "cameras.right.serial=R"}), "");
+}
+
+TEST(CamerasConfigTest, TheExposureFitsIntoAFrame) {
+  EXPECT_EQ(message_with({"cameras.rate_hz=25", "cameras.exposure_us=40000"}), "");
+  EXPECT_THAT(message_with({"cameras.rate_hz=25", "cameras.exposure_us=40001"}), HasSubstr("up to 40000"));
+}
+
+TEST(DetectorConfigTest, LedsOnGreyAreAnErrorThatSaysWhy) {
+  EXPECT_THAT(message_with({"cameras.format=grey"}), HasSubstr("without colour"));
+}
+
+TEST(DetectorConfigTest, TheLimitsOfADetectorAreRanges) {
+  EXPECT_EQ(
+      config_with({"detector.min_peak=900", "detector.min_contrast=50", "detector.max_spots=48"})->detector.min_peak,
+      900);
+  EXPECT_THAT(message_with({"detector.max_spots=49"}), HasSubstr("from 1 to 48"));
+  EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\""));
+}
+
+TEST(SimulationConfigTest, EveryKeyIsRead) {
+  const SimulationConfig s =
+      config_with({"simulation.scenario=scout", "simulation.trajectory_file=t.csv", "simulation.seed=7",
+                   "simulation.stamp_jitter_us=3000", "simulation.clock_drift_ppm=-50",
+                   "simulation.right_phase_ms=12.5", "simulation.calibration_error=true"})
+          ->simulation;
+  EXPECT_EQ(s.scenario, Scenario::kScout);
+  EXPECT_EQ(s.trajectory_file, "/etc/tripoint/t.csv");
+  EXPECT_EQ(s.seed, 7U);
+  EXPECT_EQ(s.stamp_jitter_us, 3000.0);
+  EXPECT_EQ(s.clock_drift_ppm, -50.0);
+  EXPECT_EQ(s.right_phase_ms, 12.5);
+  EXPECT_TRUE(s.calibration_error);
+}
+
+TEST(SimulationConfigTest, AnUnknownScenarioListsTheShippedOnes) {
+  EXPECT_THAT(message_with({"simulation.scenario=clutter"}),
+              HasSubstr("\"paper-linear\", \"paper-circular\", \"scout\", \"static-volume\""));
+}
+
+TEST(RecordingConfigTest, ARecordingAsSourceNeedsItsFolder) {
+  EXPECT_THAT(message_with({"cameras.source=recording"}), HasSubstr("recording.folder: is missing"));
+  const Config c = config_with({"cameras.source=recording", "recording.folder=r", "recording.paced=false"}).value();
+  EXPECT_EQ(c.recording.folder, "/etc/tripoint/r");
+  EXPECT_FALSE(c.recording.paced);
+}
+
+}  // namespace
+}  // namespace tripoint

@@ -1,0 +1,110 @@
+#include "config/target_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tripoint {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kHead = "format = \"tripoint-target/1\"\ndetector = \"led\"\n";
+const std::string kTags = "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"tag36h11\"\n";
+
+std::string point(int id, const std::string& position) {
+  return "[[points]]\nid = " + std::to_string(id) + "\nposition_mm = " + position + "\n";
+}
+
+std::string points(int count) {
+  std::string text = kHead;
+  for (int i = 1; i <= count; ++i) text += point(i, "[" + std::to_string(10 * i) + ", 0, 0]");
+  return text;
+}
+
+std::string message_of(const std::string& text) {
+  const Result<TargetFile> target = parse_target(text, "t.toml");
+  return target ? "" : target.error().message;
+}
+
+TEST(TargetFileTest, PointsAreRead) {
+  const TargetFile t = parse_target("facing = [0, 0, 2]\n" + kHead + point(1, "[0, 0, 0]") + "uncertainty_mm = 0.1\n" +
+                                        point(7, "[60, 1.5, -2]"),
+                                    "")
+                           .value();
+  EXPECT_EQ(t.kind, TargetKind::kLed);
+  ASSERT_EQ(t.points.size(), 2U);
+  EXPECT_EQ(t.points[0].uncertainty_mm, 0.1);
+  EXPECT_EQ(t.points[1].id, 7);
+  EXPECT_EQ(t.points[1].position_mm, Vec3(60.0, 1.5, -2.0));
+  EXPECT_EQ(t.points[1].uncertainty_mm, 0.05);
+  EXPECT_EQ(*t.facing, Vec3::UnitZ());
+}
+
+TEST(TargetFileTest, AFacingAfterThePointsBelongsToTheLastOfThem) {
+  const TargetFile t = parse_target(kHead + point(1, "[0, 0, 0]") + "facing = [0, 1, 0]\n", "").value();
+  EXPECT_FALSE(t.facing.has_value());
+  EXPECT_EQ(*t.points[0].facing, Vec3::UnitY());
+}
+
+TEST(TargetFileTest, NoDirectionIsNoFacing) {
+  EXPECT_THAT(message_of("facing = [0, 0, 0]\n" + kHead + point(1, "[0, 0, 0]")),
+              HasSubstr("permitted is a direction"));
+}
+
+TEST(TargetFileTest, ASinglePointLiesAtTheOrigin) {
+  EXPECT_EQ(message_of(kHead + point(1, "[0, 0, 0]")), "");
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 1]")), HasSubstr("position_mm = [0, 0, 0]"));
+}
+
+TEST(TargetFileTest, OneToTwelvePointsMakeATarget) {
+  EXPECT_EQ(message_of(points(12)), "");
+  EXPECT_THAT(message_of(points(13)), HasSubstr("permitted is 1 to 12 points"));
+  EXPECT_THAT(message_of(kHead), HasSubstr("permitted is 1 to 12 points"));
+}
+
+TEST(TargetFileTest, AnIdTwiceIsAnError) {
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(1, "[10, 0, 0]")),
+              HasSubstr("t.toml:7: points[1].id = 1: permitted is each id once"));
+}
+
+TEST(TargetFileTest, PointsInOnePlaceAreAnError) {
+  EXPECT_EQ(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[1, 0, 0]")), "");
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[0.99, 0, 0]")), HasSubstr("1 mm or more"));
+}
+
+TEST(TargetFileTest, TagsAreRead) {
+  const TargetFile t =
+      parse_target(kTags + "[[tags]]\nid = 0\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 1]\n", "")
+          .value();
+  EXPECT_EQ(t.kind, TargetKind::kAprilTag);
+  EXPECT_EQ(t.family, "tag36h11");
+  ASSERT_EQ(t.tags.size(), 1U);
+  EXPECT_EQ(t.tags[0].size_mm, 40.0);
+  EXPECT_EQ(t.tags[0].rotation_rad, Vec3::UnitZ());
+}
+
+TEST(TargetFileTest, PointsDoNotBelongToATargetOfTags) {
+  EXPECT_THAT(message_of(kTags + "[[tags]]\nid = 0\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n" +
+                         point(1, "[0, 0, 0]")),
+              HasSubstr("unknown key points"));
+}
+
+TEST(TargetFileTest, UnknownDetectorsFormatsAndKeysAreErrors) {
+  EXPECT_THAT(message_of("format = \"tripoint-target/2\"\ndetector = \"led\"\n"), HasSubstr("\"tripoint-target/1\""));
+  EXPECT_THAT(message_of("format = \"tripoint-target/1\"\ndetector = \"laser\"\n"), HasSubstr("\"led\", \"apriltag\""));
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + "posiion_mm = 1\n"), HasSubstr("did you mean position_mm?"));
+}
+
+TEST(TargetFileTest, TheSingleLedSitsAtTheOrigin) {
+  const TargetFile t = single_led();
+  ASSERT_EQ(t.points.size(), 1U);
+  EXPECT_EQ(t.points[0].id, 1);
+  EXPECT_EQ(t.points[0].position_mm, Vec3::Zero());
+}
+
+TEST(TargetFileTest, AMissingFileCannotBeRead) {
+  EXPECT_EQ(load_target("/nowhere/t.toml").error().code, ErrorCode::kCannotRead);
+}
+
+}  // namespace
+}  // namespace tripoint
