@@ -1,0 +1,82 @@
+#include "line/match/match.h"
+
+#include <gtest/gtest.h>
+
+#include "../synthetic_cameras.h"
+
+namespace tripoint {
+namespace {
+
+using testing::webcam_model;
+
+Aligned seen_at_rest(const LineModel& model, const std::vector<Vec3>& points) {
+  Aligned seen;
+  seen.due = seen.common_time = true;
+  for (const Vec3& point : points) {
+    for (const Side side : kBothSides) {
+      const RawPixel at = testing::pixel_of(model, side, testing::at_rest(point), 0.0, 0.0);
+      seen.points[side].push_back(AlignedPoint{testing::spot_at(at, 0.05), Vec2::Zero(), Matrix2::Zero()});
+      ++seen.spots[side];
+    }
+  }
+  return seen;
+}
+
+TEST(MatchTest, TheOnlyPairOfAOnePointTargetIsThatPoint) {
+  LineModel model = webcam_model();
+  model.target.points[0].id = 7;
+  const Pairs found = match(seen_at_rest(model, {{10.0, 15.0, 400.0}}), model);
+  EXPECT_TRUE(found.faults.empty());
+  ASSERT_EQ(found.pairs.size(), 1U);
+  EXPECT_EQ(found.pairs[0].id, 7);
+  EXPECT_NEAR(found.pairs[0].epipolar_px, 0.0, 1e-9);
+}
+
+TEST(MatchTest, TwelvePointsFindTheirPartners) {
+  const LineModel model = webcam_model();
+  std::vector<Vec3> points;
+  for (int i = 0; i < 12; ++i) points.emplace_back(-80.0 + 14.0 * i, -70.0 + 12.0 * i, 400.0);
+  const Pairs found = match(seen_at_rest(model, points), model);
+  EXPECT_EQ(found.pairs.size(), 12U);
+  for (const Pair& pair : found.pairs) EXPECT_NEAR(pair.epipolar_px, 0.0, 1e-9);
+}
+
+TEST(MatchTest, AStraySpotInOnePictureDoesNotHideTheLight) {
+  const LineModel model = webcam_model();
+  Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+  seen.points.left.push_back(AlignedPoint{testing::spot_at({300.0, 400.0}, 0.05), Vec2::Zero(), Matrix2::Zero()});
+  const Pairs found = match(seen, model);
+  EXPECT_TRUE(found.faults.empty());
+  EXPECT_EQ(found.pairs.size(), 1U);
+}
+
+TEST(MatchTest, TheVolumesDepthSettlesWhatTheEpipolarLineLeavesOpen) {
+  LineModel model = webcam_model();
+  const Vec3 eye = model.rig.camera_from_rig.left.inverse().translation();
+  const Vec3 point{10.0, 15.0, 400.0};
+  Aligned seen = seen_at_rest(model, {point, eye + 1.25 * (point - eye)});
+  seen.points.left.truncate(1);
+  EXPECT_TRUE(match(seen, model).faults.contains(Fault::kAmbiguous));
+  model.volume = WorkingVolume{{-100.0, -100.0, 350.0}, {100.0, 100.0, 450.0}};
+  EXPECT_TRUE(match(seen, model).faults.empty());
+  EXPECT_EQ(match(seen, model).pairs.size(), 1U);
+}
+
+TEST(MatchTest, WhatAlignCouldNotFollowIsNotCalledUnseen) {
+  const LineModel model = webcam_model();
+  Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+  seen.points.right.clear();
+  EXPECT_EQ(match(seen, model).faults, Faults{Fault::kNotSeenRight});
+  seen.faults.insert(Fault::kTimingBound);
+  EXPECT_TRUE(match(seen, model).faults.empty());
+}
+
+TEST(MatchTest, WithoutACommonTimeNothingIsMatched) {
+  const LineModel model = webcam_model();
+  Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+  seen.common_time = false;
+  EXPECT_TRUE(match(seen, model).pairs.empty());
+}
+
+}  // namespace
+}  // namespace tripoint
