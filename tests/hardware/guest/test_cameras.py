@@ -7,6 +7,7 @@ import tempfile
 import time
 import unittest
 from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,6 +19,17 @@ EXTENSIONS = {"YUYV": "yuyv", "MJPG": "jpg"}
 
 def v4l2(node: str, *options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["v4l2-ctl", "-d", node, *options], capture_output=True, text=True, timeout=60, check=False)
+
+
+@contextmanager
+def streaming(node: str, *options: str) -> Iterator[subprocess.Popen[bytes]]:
+    """A stream that is ended whatever happens to the test."""
+    command = ["v4l2-ctl", "-d", node, "--stream-mmap", *options]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as stream:
+        try:
+            yield stream
+        finally:
+            stream.kill()
 
 
 def metadata_node_of(node: str) -> str:
@@ -79,9 +91,8 @@ class CamerasTest(unittest.TestCase):
     def test_time_stamps_of_the_camera_count_whole_frames(self) -> None:
         node = self.nodes["left"]
         v4l2(node, "--set-fmt-video=width=640,height=480,pixelformat=MJPG")
-        with subprocess.Popen(["v4l2-ctl", "-d", node, "--stream-mmap"], stderr=subprocess.DEVNULL) as stream:
+        with streaming(node):
             headers = self.payload_headers(metadata_node_of(node))
-            stream.terminate()
         ticks_per_frame = 48_000_000 // 30
         steps = {(later - earlier) % 2**32 for earlier, later in pairwise(headers)}
         self.assertTrue(steps, "no time stamps at all")
@@ -109,11 +120,11 @@ class CamerasTest(unittest.TestCase):
         self.assertEqual(self.world.cameras.settings("right")["gain"], 64)
 
     def test_unplugging_ends_a_stream_and_plugging_brings_the_camera_back(self) -> None:
-        stream = subprocess.Popen(["v4l2-ctl", "-d", self.nodes["left"], "--stream-mmap"], stderr=subprocess.DEVNULL)
-        time.sleep(3)
-        self.assertIsNone(stream.poll(), "it should still stream")
-        self.world.cameras.unplug("left")
-        stream.wait(timeout=30)
+        with streaming(self.nodes["left"]) as stream:
+            time.sleep(3)
+            self.assertIsNone(stream.poll(), "it should still stream")
+            self.world.cameras.unplug("left")
+            stream.wait(timeout=30)
         self.assertIsNotNone(node_of("right"), "only the left one was pulled out")
         self.world.cameras.plug("left")
         self.nodes["left"] = node_of("left") or ""
@@ -121,12 +132,11 @@ class CamerasTest(unittest.TestCase):
 
     def test_a_hung_camera_sends_nothing_until_it_is_released(self) -> None:
         self.assertEqual(self.world.cameras.order("hang right"), "done")
-        command = ["v4l2-ctl", "-d", self.nodes["right"], "--stream-mmap", "--stream-count=1"]
-        stream = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-        with self.assertRaises(subprocess.TimeoutExpired):
-            stream.wait(timeout=5)
-        self.assertEqual(self.world.cameras.order("resume right"), "done")
-        self.assertEqual(stream.wait(timeout=30), 0)
+        with streaming(self.nodes["right"], "--stream-count=1") as stream:
+            with self.assertRaises(subprocess.TimeoutExpired):
+                stream.wait(timeout=5)
+            self.assertEqual(self.world.cameras.order("resume right"), "done")
+            self.assertEqual(stream.wait(timeout=30), 0)
 
     def test_serials_are_those_that_the_configuration_binds(self) -> None:
         found = {file.read_text().strip() for file in Path("/sys/bus/usb/devices").glob("*/serial")}
