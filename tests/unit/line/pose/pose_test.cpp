@@ -1,0 +1,136 @@
+#include "line/pose/pose.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "../synthetic_cameras.h"
+#include "line/pose/timing_part.h"
+
+namespace tripoint {
+namespace {
+
+using testing::webcam_model;
+
+const Vec3 kPoint{20.0, -35.0, 410.0};
+
+PerSide<RawPixel> pixels_of(const LineModel& model, const Vec3& point) {
+  return {testing::pixel_of(model, Side::kLeft, testing::at_rest(point), 0.0, 0.0),
+          testing::pixel_of(model, Side::kRight, testing::at_rest(point), 0.0, 0.0)};
+}
+
+Pair pair_at(const LineModel& model, const Vec3& point, int id) {
+  const PerSide<RawPixel> at = pixels_of(model, point);
+  Pair pair;
+  pair.id = id;
+  for (const Side side : kBothSides) pair.points[side].seen = testing::spot_at(at[side], 0.05);
+  return pair;
+}
+
+Fit fit_of(const LineModel& model, const Pair& pair, double skew_s = 0.0) {
+  Aligned seen;
+  seen.common_time = true;
+  seen.skew_s = skew_s;
+  Pairs pairs;
+  pairs.pairs.push_back(pair);
+  return pose_of_target(seen, pairs, model);
+}
+
+TEST(PoseTest, BothMethodsFindThePointInTheOutputFrame) {
+  for (const Method method : {Method::kMaximumLikelihood, Method::kPaper}) {
+    LineModel model = webcam_model();
+    model.method = method;
+    model.output_from_rig = Eigen::Translation3d(100.0, 200.0, 300.0) * Eigen::AngleAxisd(0.5, Vec3::UnitY());
+    const Fit fit = fit_of(model, pair_at(model, kPoint, 1));
+    ASSERT_TRUE(fit.pose);
+    EXPECT_LT((fit.pose->position_in_output_mm - model.output_from_rig * kPoint).norm(), 1e-6);
+    EXPECT_FALSE(fit.pose->output_from_target);
+    EXPECT_LT(fit.residual_rms_px, 1e-6);
+    ASSERT_EQ(fit.points.size(), 1U);
+    EXPECT_EQ(fit.points[0].id, 1);
+  }
+}
+
+TEST(PoseTest, TheCovarianceTurnsWithTheFrame) {
+  LineModel model = webcam_model();
+  const Matrix3 plain = fit_of(model, pair_at(model, kPoint, 1)).pose->noise.topLeftCorner<3, 3>();
+  model.output_from_rig = Isometry3(Eigen::AngleAxisd(M_PI / 2.0, Vec3::UnitY()));  // depth becomes x
+  const Matrix3 turned = fit_of(model, pair_at(model, kPoint, 1)).pose->noise.topLeftCorner<3, 3>();
+  EXPECT_NEAR(turned(0, 0), plain(2, 2), 1e-9);
+  EXPECT_NEAR(turned(2, 2), plain(0, 0), 1e-9);
+}
+
+TEST(PoseTest, ACalibrationErrorMovesThePoseAsItsCovarianceSays) {
+  LineModel model = webcam_model();
+  constexpr int kRightCenterU = 11;
+  model.covariance(kRightCenterU, kRightCenterU) = 0.1 * 0.1;
+  const Fit fit = fit_of(model, pair_at(model, kPoint, 1));
+  // the truth: the same pixels through a calibration whose right centre is off by that much
+  RigParameters wrong = parameters_of(model.calibration);
+  wrong[kRightCenterU] += 0.1;
+  LineModel off = model;
+  off.calibration = calibration_of(wrong, {{640, 480}, {640, 480}});
+  off.rig = *rig_of(off.calibration);
+  const Vec3 moved = fit_of(off, pair_at(model, kPoint, 1)).pose->position_in_output_mm - kPoint;
+  const Matrix3 expected = moved * moved.transpose();
+  EXPECT_LT((fit.pose->shared.topLeftCorner<3, 3>() - expected).norm(), 0.01 * expected.norm());  // second order
+  EXPECT_TRUE(
+      fit.points[0].covariance_mm2.isApprox((fit.pose->shared + fit.pose->noise).topLeftCorner<3, 3>().eval(), 1e-12));
+}
+
+TEST(PoseTest, AnUnidentifiedPairIsAPointAndNoPose) {
+  const LineModel model = webcam_model();
+  const Fit fit = fit_of(model, pair_at(model, kPoint, 0));
+  EXPECT_FALSE(fit.pose);
+  EXPECT_EQ(fit.points.size(), 1U);
+}
+
+TEST(PoseTest, RaysThatDoNotMeetAreAFaultOfGeometry) {
+  const LineModel model = webcam_model();
+  Pair pair = pair_at(model, kPoint, 1);
+  std::swap(pair.points.left.seen.at, pair.points.right.seen.at);
+  pair.points.left.seen.at.u_px -= 300.0;
+  pair.points.right.seen.at.u_px += 300.0;
+  const Fit fit = fit_of(model, pair);
+  EXPECT_EQ(fit.faults, Faults{Fault::kGeometryGate});
+  EXPECT_FALSE(fit.pose);
+}
+
+TEST(PoseTest, TheGainIsHowAPixelMovesThePoint) {
+  const LineModel model = webcam_model();
+  PerSide<MeasuredPixel> seen;
+  const PerSide<RawPixel> at = pixels_of(model, kPoint);
+  for (const Side side : kBothSides) seen[side] = {at[side], 0.0025 * Matrix2::Identity()};
+  const TriangulatedPoint point = *triangulated(model.rig, seen);
+  constexpr double kStep_px = 1e-3;
+  for (const Side side : kBothSides) {
+    const Matrix32 gain = pixel_gain_mm_per_px(model.rig, point, seen, side);
+    PerSide<MeasuredPixel> moved = seen;
+    moved[side].at.u_px += kStep_px;
+    EXPECT_LT(((triangulated(model.rig, moved)->in_rig_mm - point.in_rig_mm) / kStep_px - gain.col(0)).norm(), 1e-3);
+    moved = seen;
+    moved[side].at.v_px += kStep_px;
+    EXPECT_LT(((triangulated(model.rig, moved)->in_rig_mm - point.in_rig_mm) / kStep_px - gain.col(1)).norm(), 1e-3);
+  }
+}
+
+TEST(PoseTest, TimeCostsDepthTimesSpeedOverBaseline) {
+  // parallel cameras: along the baseline at 100 mm/s an offset of 5 ms costs (Z/B) v dt = 4 * 0.5 mm = 2 mm in depth
+  LineModel model = webcam_model();
+  model.calibration.cameras.left = model.calibration.cameras.right =
+      CameraModel{{640, 480}, {628, 628}, {320, 240}, {}};
+  model.calibration.right_from_left = Eigen::Translation3d(-100.0, 0.0, 0.0);
+  model.rig = *rig_of(model.calibration);
+  Pair pair = pair_at(model, {0.0, 0.0, 400.0}, 1);
+  const Vec2 velocity_px_per_s{628.0 * 100.0 / 400.0, 0.0};
+  for (const Side side : kBothSides) pair.points[side].velocity_px_per_s = velocity_px_per_s;
+  pair.points.right.timing_px2 = 0.005 * 0.005 * velocity_px_per_s * velocity_px_per_s.transpose();
+  const Fit fit = fit_of(model, pair, 0.005);
+  const double expected_mm = std::hypot(4.0 * 0.5, 0.5 / 2.0);  // depth, and half the shift sideways
+  EXPECT_NEAR(fit.timing_sigma_mm, expected_mm, 1e-6);
+  EXPECT_NEAR(fit.uncorrected_cost_mm, expected_mm, 1e-6);
+  EXPECT_GT(fit.pose->noise(2, 2), 4.0) << "it is part of the stated covariance";
+}
+
+}  // namespace
+}  // namespace tripoint
