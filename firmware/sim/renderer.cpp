@@ -38,6 +38,7 @@ FrameRenderer::FrameRenderer(const SimulatedWorld& world, Side side)
   const auto width = static_cast<std::size_t>(raw_.size().width_px);
   frame_.format = world.settings().format;
   frame_.size = raw_.size();
+  frame_.line_time = world.settings().line_time;
   frame_.stride_bytes = frame_.format == PixelFormat::kYuyv ? 2 * width : width;
   if (frame_.format == PixelFormat::kMjpeg) frame_.stride_bytes = 0;
 }
@@ -46,8 +47,8 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
   light_.clear();
   frame_.truth = {.side = side_,
                   .exposed_since_1970 = exposed_since_1970,
-                  .exposed = {},
-                  .stamp = {},
+                  .exposed = TimePoint{exposed_since_1970},
+                  .stamp = TimePoint{exposed_since_1970},
                   .reference_from_target = target_pose_at(world_.settings().trajectory, exposed_since_1970),
                   .lights = {}};
   for (const LightSource& light : world_.settings().scene.lights) {
@@ -159,8 +160,8 @@ Frame frame_of(const RenderedFrame& rendered) {
           .data = rendered.pixels,
           .sequence = 0,
           .exposed = rendered.truth.stamp,
-          .arrived = {},
-          .line_time = Duration{0}};
+          .arrived = rendered.truth.stamp,
+          .line_time = rendered.line_time};
 }
 
 }  // namespace tripoint

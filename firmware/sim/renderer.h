@@ -27,8 +27,8 @@ struct LightTruth {
 struct FrameTruth {
   Side side = Side::kLeft;
   Duration exposed_since_1970{0};  ///< middle of the exposure of row 0
-  TimePoint exposed{};             ///< the same on the monotonic clock; 0 when rendered offline
-  TimePoint stamp{};               ///< what the camera says instead; 0 when rendered offline
+  TimePoint exposed{};             ///< the same on the monotonic clock; offline both clocks are one
+  TimePoint stamp{};               ///< what the camera says instead; offline the truth
   Isometry3 reference_from_target = Isometry3::Identity();  ///< at the exposure of row 0
   std::vector<LightTruth> lights;                           ///< in the scene's order
 };
@@ -37,6 +37,7 @@ struct RenderedFrame {
   PixelFormat format = PixelFormat::kYuyv;
   ImageSize size;
   std::size_t stride_bytes = 0;  ///< of a row; 0 for MJPEG
+  Duration line_time{0};
   std::vector<std::uint8_t> pixels;
   FrameTruth truth;
 };
@@ -78,7 +79,7 @@ class FrameRenderer {
 /// One frame by itself, for tests and offline rendering.
 RenderedFrame render(const SimulatedWorld& world, Side side, Duration exposed_since_1970, std::uint64_t number = 0);
 
-/// A rendered frame as a camera hands it out; it views `rendered`.
+/// A rendered frame as a camera hands it out, except for its number; it views `rendered`.
 Frame frame_of(const RenderedFrame& rendered);
 
 }  // namespace tripoint

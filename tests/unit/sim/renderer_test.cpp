@@ -154,5 +154,17 @@ TEST(RendererTest, GreyFrameIsTheLuma) {
   for (std::size_t i = 0; i < grey.pixels.size(); ++i) ASSERT_EQ(grey.pixels[i], yuyv.pixels[2 * i]);
 }
 
+TEST(RendererTest, FrameOfARenderingCarriesItsTimesAndBytes) {
+  SimulationSettings settings = bare_settings();
+  settings.line_time = std::chrono::microseconds{25};
+  const RenderedFrame rendered = render(world_of(settings), Side::kRight, kHalfWay);
+  const Frame frame = frame_of(rendered);
+  EXPECT_EQ(frame.side, Side::kRight);
+  EXPECT_EQ(frame.exposed, TimePoint{kHalfWay});
+  EXPECT_EQ(frame.line_time, std::chrono::microseconds{25});
+  EXPECT_EQ(frame.stride_bytes, 1280U);
+  EXPECT_EQ(frame.data.size(), 640U * 480U * 2U);
+}
+
 }  // namespace
 }  // namespace tripoint
