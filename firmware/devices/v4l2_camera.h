@@ -1,0 +1,51 @@
+// A real camera through Video4Linux.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "devices/v4l2_buffers.h"
+#include "devices/v4l2_driver.h"
+#include "devices/v4l2_settings.h"
+#include "ports/camera.h"
+#include "ports/clock.h"
+
+namespace tripoint {
+
+class V4l2Camera final : public Camera {
+ public:
+  /// Opens the node, fixes format, rate and controls, reads all of them back, and starts the stream.
+  ///
+  /// @param driver, clock  must outlive the camera
+  /// @return kDeviceMissing, kDeviceBusy, kNoSuchFormat (naming what is offered), kControlRefused (naming the control),
+  ///   kNoBandwidth (with the load computed), kDeviceFault
+  static Result<std::unique_ptr<V4l2Camera>> open(const V4l2Settings& settings, V4l2Driver& driver, const Clock& clock);
+
+  ~V4l2Camera() override = default;
+
+  /// As Camera says; frames that the driver marked, or that are shorter than their size, are kCorruptFrame.
+  Result<Frame> next_frame(Duration limit) override;
+  [[nodiscard]] const CameraInfo& info() const override { return info_; }
+
+  /// Controls that the camera does not have; its automatics may then change the picture.
+  [[nodiscard]] const std::vector<std::string>& missing_controls() const { return missing_controls_; }
+
+ private:
+  V4l2Camera(const V4l2Settings& settings, V4l2Buffers buffers, const Clock& clock)
+      : settings_(settings), buffers_(std::move(buffers)), clock_(clock) {}
+
+  Result<FilledBuffer> wait_for_buffer(Duration limit);
+  Result<Frame> frame_from(const FilledBuffer& filled) const;
+
+  V4l2Settings settings_;
+  V4l2Buffers buffers_;
+  const Clock& clock_;
+  std::size_t stride_bytes_ = 0;
+  CameraInfo info_;
+  std::vector<std::string> missing_controls_;
+  std::optional<std::uint32_t> held_;  ///< the buffer that the last frame looks into
+};
+
+}  // namespace tripoint

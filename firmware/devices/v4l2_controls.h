@@ -1,0 +1,24 @@
+// Exposure, gain, white balance and focus: fixed, and read back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "devices/v4l2_device.h"
+#include "devices/v4l2_settings.h"
+
+namespace tripoint {
+
+struct V4l2Controls {
+  Duration exposure{0};              ///< as the camera rounded it
+  std::vector<std::string> missing;  ///< names of controls that the camera does not have
+};
+
+/// Turns every automatic off, then sets the values.
+///
+/// @return kControlRefused, naming control, wanted, got and range, when a control reads back another value or the
+/// camera
+///   has no manual exposure; errors of V4l2Device
+Result<V4l2Controls> set_controls(const V4l2Device& device, const V4l2Settings& settings);
+
+}  // namespace tripoint

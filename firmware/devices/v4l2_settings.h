@@ -1,0 +1,30 @@
+// What is asked of a real camera.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "devices/exposure_stamp.h"
+#include "ports/frame.h"
+#include "values/side.h"
+
+namespace tripoint {
+
+struct V4l2Settings {
+  Side side = Side::kLeft;
+  std::filesystem::path node = {};  ///< /dev/videoN
+  std::string port = {};            ///< USB port path, for people and the calibration
+  std::string serial = {};
+  PixelFormat format = PixelFormat::kYuyv;
+  ImageSize size{640, 480};
+  double rate_hz = 30.0;
+  std::chrono::microseconds exposure{2000};
+  int gain = 0;
+  int white_balance_k = 4500;
+  int focus = 0;
+  Duration line_time{0};  ///< rolling shutter: row r is exposed r times this later
+  StampPoint stamp_point = StampPoint::kFirstByte;
+  Duration stamp_latency{0};  ///< from the moment of stamp_point to the driver's stamp
+};
+
+}  // namespace tripoint

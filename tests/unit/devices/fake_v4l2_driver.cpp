@@ -1,0 +1,193 @@
+#include "fake_v4l2_driver.h"
+
+#include <fcntl.h>
+#include <linux/videodev2.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace tripoint::test {
+namespace {
+
+template <typename T>
+T& as(void* argument) {
+  return *static_cast<T*>(argument);
+}
+
+}  // namespace
+
+FakeV4l2Driver::FakeV4l2Driver(WaitingClock& clock) : clock_(clock) {
+  capabilities = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
+  fourcc = V4L2_PIX_FMT_YUYV;
+  controls = {{V4L2_CID_EXPOSURE_AUTO, {1, 3, V4L2_EXPOSURE_APERTURE_PRIORITY}},
+              {V4L2_CID_EXPOSURE_AUTO_PRIORITY, {0, 1, 1}},
+              {V4L2_CID_EXPOSURE_ABSOLUTE, {1, 5000, 157}},
+              {V4L2_CID_GAIN, {0, 255, 64}},
+              {V4L2_CID_AUTO_WHITE_BALANCE, {0, 1, 1}},
+              {V4L2_CID_WHITE_BALANCE_TEMPERATURE, {2000, 6500, 4000}},
+              {V4L2_CID_FOCUS_AUTO, {0, 1, 1}},
+              {V4L2_CID_FOCUS_ABSOLUTE, {0, 250, 30}}};
+}
+
+int FakeV4l2Driver::open(const std::filesystem::path& node) {
+  if (open_failure < 0) return open_failure;
+  log.push_back("open " + node.string());
+  return ::open("/dev/null", O_RDWR | O_CLOEXEC);
+}
+
+int FakeV4l2Driver::control(int, unsigned long request, void* argument) {
+  const auto failure = failures.find(request);
+  if (failure != failures.end()) return failure->second;
+  switch (request) {
+    case VIDIOC_QUERYCAP:
+      return describe_capability(argument);
+    case VIDIOC_S_FMT:
+      return set_format(argument);
+    case VIDIOC_S_PARM:
+      return set_rate(argument);
+    case VIDIOC_ENUM_FMT:
+      return offer_format(argument);
+    case VIDIOC_ENUM_FRAMESIZES:
+      return offer_size(argument);
+    case VIDIOC_ENUM_FRAMEINTERVALS:
+      return offer_rate(argument);
+    case VIDIOC_QUERYCTRL:
+      return describe_control(argument);
+    case VIDIOC_S_CTRL:
+      return set_control(argument);
+    case VIDIOC_G_CTRL:
+      return read_control(argument);
+    case VIDIOC_REQBUFS:
+      return give_buffers(argument);
+    case VIDIOC_QUERYBUF:
+      return describe_buffer(argument);
+    case VIDIOC_QBUF:
+      return queue(argument);
+    case VIDIOC_DQBUF:
+      return dequeue(argument);
+    case VIDIOC_STREAMON:
+      return log.emplace_back("on"), 0;
+    case VIDIOC_STREAMOFF:
+      return log.emplace_back("off"), 0;
+    default:
+      return -ENOTTY;
+  }
+}
+
+int FakeV4l2Driver::wait(int, Duration limit) {
+  if (waits.empty()) return clock_.pass(limit), 0;
+  const FakeWait next = waits.front();
+  waits.pop_front();
+  clock_.pass(next.after);
+  ready_.insert(ready_.end(), next.frames.begin(), next.frames.end());
+  return next.events;
+}
+
+void* FakeV4l2Driver::map(int, std::size_t length, std::int64_t) {
+  if (map_fails) return nullptr;
+  void* memory = ::mmap(nullptr, length, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  memory_.push_back(memory);
+  return memory;
+}
+
+std::uint32_t FakeV4l2Driver::image_bytes() const { return (width * 2 + padding_bytes) * height; }
+
+int FakeV4l2Driver::describe_capability(void* argument) const {
+  as<v4l2_capability>(argument).capabilities = capabilities | V4L2_CAP_DEVICE_CAPS;
+  as<v4l2_capability>(argument).device_caps = capabilities;
+  return 0;
+}
+
+int FakeV4l2Driver::set_format(void* argument) const {
+  v4l2_pix_format& pix = as<v4l2_format>(argument).fmt.pix;
+  pix.width = width;
+  pix.height = height;
+  pix.pixelformat = fourcc;
+  pix.bytesperline = fourcc == V4L2_PIX_FMT_YUYV ? width * 2 + padding_bytes : 0;
+  pix.sizeimage = image_bytes();
+  return 0;
+}
+
+int FakeV4l2Driver::set_rate(void* argument) const {
+  as<v4l2_streamparm>(argument).parm.capture.timeperframe = {rate_numerator, rate_denominator};
+  return 0;
+}
+
+int FakeV4l2Driver::offer_format(void* argument) const {
+  auto& offer = as<v4l2_fmtdesc>(argument);
+  offer.pixelformat = fourcc;
+  return offer.index == 0 ? 0 : -EINVAL;
+}
+
+int FakeV4l2Driver::offer_size(void* argument) const {
+  auto& offer = as<v4l2_frmsizeenum>(argument);
+  offer.type = V4L2_FRMSIZE_TYPE_DISCRETE;
+  offer.discrete = {width, height};
+  return offer.index == 0 ? 0 : -EINVAL;
+}
+
+int FakeV4l2Driver::offer_rate(void* argument) const {
+  auto& offer = as<v4l2_frmivalenum>(argument);
+  offer.type = V4L2_FRMIVAL_TYPE_DISCRETE;
+  offer.discrete = {rate_numerator, rate_denominator};
+  return offer.index == 0 ? 0 : -EINVAL;
+}
+
+int FakeV4l2Driver::describe_control(void* argument) const {
+  auto& description = as<v4l2_queryctrl>(argument);
+  const auto found = controls.find(description.id);
+  if (found == controls.end()) return -EINVAL;
+  description.minimum = found->second.minimum;
+  description.maximum = found->second.maximum;
+  description.step = 1;
+  return 0;
+}
+
+int FakeV4l2Driver::set_control(void* argument) {
+  const auto& wanted = as<v4l2_control>(argument);
+  FakeControl& control = controls.at(wanted.id);
+  if (!control.stuck) control.value = std::clamp(wanted.value, control.minimum, control.maximum);
+  return 0;
+}
+
+int FakeV4l2Driver::read_control(void* argument) const {
+  auto& asked = as<v4l2_control>(argument);
+  asked.value = controls.at(asked.id).value;
+  return 0;
+}
+
+int FakeV4l2Driver::give_buffers(void* argument) const {
+  as<v4l2_requestbuffers>(argument).count = buffers_given;
+  return 0;
+}
+
+int FakeV4l2Driver::describe_buffer(void* argument) const {
+  as<v4l2_buffer>(argument).length = image_bytes();
+  return 0;
+}
+
+int FakeV4l2Driver::queue(void* argument) {
+  queued_.push_back(as<v4l2_buffer>(argument).index);
+  return 0;
+}
+
+int FakeV4l2Driver::dequeue(void* argument) {
+  if (ready_.empty() || queued_.empty()) return -EAGAIN;
+  const FakeFrame frame = ready_.front();
+  ready_.pop_front();
+  auto& buffer = as<v4l2_buffer>(argument);
+  buffer.index = queued_.front();
+  queued_.pop_front();
+  std::memset(memory_[buffer.index], frame.value, image_bytes());
+  buffer.bytesused = image_bytes() - frame.missing_bytes;
+  buffer.sequence = frame.sequence;
+  buffer.timestamp = {.tv_sec = frame.stamp_us / 1'000'000, .tv_usec = frame.stamp_us % 1'000'000};
+  buffer.flags = (frame.damaged ? V4L2_BUF_FLAG_ERROR : 0U) |
+                 (frame.monotonic ? V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC : V4L2_BUF_FLAG_TIMESTAMP_UNKNOWN) |
+                 V4L2_BUF_FLAG_TSTAMP_SRC_SOE;
+  return 0;
+}
+
+}  // namespace tripoint::test
