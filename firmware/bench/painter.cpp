@@ -82,10 +82,15 @@ std::size_t Painting::index(int u, int v) const {
 }
 
 void Painting::add(const Ellipse& ellipse) {
-  for (int v = 0; v < size_.height_px; ++v) {
-    for (int u = 0; u < size_.width_px; ++u) {
-      const double x = (u - ellipse.at.u_px) / ellipse.half_width_px;
-      const double y = (v - ellipse.at.v_px) / ellipse.half_height_px;
+  const auto [center_u, center_v] = ellipse.at;
+  const int left = std::max(0, static_cast<int>(center_u - ellipse.half_width_px));
+  const int right = std::min(size_.width_px - 1, static_cast<int>(center_u + ellipse.half_width_px) + 1);
+  const int top = std::max(0, static_cast<int>(center_v - ellipse.half_height_px));
+  const int bottom = std::min(size_.height_px - 1, static_cast<int>(center_v + ellipse.half_height_px) + 1);
+  for (int v = top; v <= bottom; ++v) {
+    for (int u = left; u <= right; ++u) {
+      const double x = (u - center_u) / ellipse.half_width_px;
+      const double y = (v - center_v) / ellipse.half_height_px;
       if (x * x + y * y <= 1.0) pixels_[index(u, v)] = ellipse.color;
     }
   }

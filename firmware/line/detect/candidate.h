@@ -59,6 +59,7 @@ struct Candidate {
   float sigma_px = 0.0F;
   float amplitude = 0.0F;  ///< luma steps, of the brightest visible pixel
   float residual = 0.0F;   ///< of the amplitude
+  float misfit = 0.0F;     ///< what of the residual the noise of the surroundings does not explain, of the amplitude
   int clipped_pixels = 0;
 };
 

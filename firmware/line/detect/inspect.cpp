@@ -13,7 +13,11 @@ constexpr double kAloneAspect = 1.82;           ///< longer than this, the next 
 constexpr double kSplitLevel = 0.6;             ///< above it only the top of the spot stood alone
 constexpr double kLargestLumaShare = 1.15;      ///< the spot may not be wider in Y than in S
 constexpr double kSameCenter = 0.2;             ///< px, and of the radius: Y's centre against the area's
-constexpr double kRoundAspect = 1.35;           ///< a longer spot is measured with doubt
+constexpr double kRoundAspect = 1.2;            ///< up to it an ellipse is taken for one LED seen from the side
+constexpr double kUsualMisfit = 0.03;           ///< of the amplitude: tone curve and halo
+constexpr double kDoubtOfMisfit = 3.0;  ///< px of error for each px of sigma and misfit: rendered hidden and near spots
+constexpr double kPixelGrain_px2 = 0.45;  ///< long^2 - short^2 of a block of 3 by 2 pixels
+constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly hidden
 
 /// Half-windows in which a spot may fit; halos and big spots need the larger ones.
 std::array<int, 3> half_windows(int width_px) {
@@ -56,6 +60,14 @@ bool falls_below(const Picture& picture, PixelPlace start, int level) {
     });
     return low >= 6;
   });
+}
+
+/// Two merged spots, or one of which half is hidden, have their centre about sqrt(long^2 - short^2) beside a LED's.
+double doubt_of_stretched_px(const Area& area) {
+  const double share = std::clamp((area.aspect() - kRoundAspect) / (kDoubtfulAspect - kRoundAspect), 0.0, 1.0);
+  const double more_px2 =
+      area.long_axis_px * area.long_axis_px - area.short_axis_px * area.short_axis_px - kPixelGrain_px2;
+  return share * std::sqrt(std::max(more_px2, 0.0));
 }
 
 }  // namespace
@@ -234,18 +246,24 @@ DropCause Inspector::fit(const Picture& picture) {
     spot = fit_channel(channel);
   }
   if (!spot) return DropCause::kFitFailed;
+  note_fit(*spot, channel);
   const DropCause cause = check_fit(*spot, picture);
   if (cause == DropCause::kKept) make_point(*spot, channel);
   return cause;
 }
 
-DropCause Inspector::check_fit(const SpotFit& spot, const Picture& picture) {
+void Inspector::note_fit(const SpotFit& spot, Channel channel) {
   const double amplitude = std::max(spot.visible_amplitude, 1.0);
+  const double noise = channel == Channel::kLuma ? around_.luma_noise : 0.25 * around_.strength_noise;
   seen_.at = {window_.left_px() + fit_left_ + spot.model.column, window_.top_px() + fit_top_ + spot.model.row};
   seen_.sigma_px = static_cast<float>(spot.model.sigma_px);
   seen_.amplitude = static_cast<float>(spot.visible_amplitude);
   seen_.residual = static_cast<float>(spot.noise / amplitude);
-  if (spot.noise > settings_.max_residual * amplitude) return DropCause::kPoorFit;
+  seen_.misfit = static_cast<float>(std::sqrt(std::max(0.0, spot.noise * spot.noise - noise * noise)) / amplitude);
+}
+
+DropCause Inspector::check_fit(const SpotFit& spot, const Picture& picture) const {
+  if (static_cast<double>(seen_.residual) > settings_.max_residual) return DropCause::kPoorFit;
   const double largest_px = std::max(settings_.max_sigma_px, settings_.max_sigma_of_width * picture.size.width_px);
   if (spot.model.sigma_px < settings_.min_sigma_px || spot.model.sigma_px > largest_px) return DropCause::kWrongSize;
   const double share = share_of_radius(spot);
@@ -258,8 +276,10 @@ void Inspector::make_point(const SpotFit& spot, Channel channel) {
   if (static_cast<double>(seen_.level) > kSplitLevel || by_strength) {
     doubt_px2 += settings_.split_floor_px * settings_.split_floor_px;
   }
-  const double stretched = 0.5 * std::max(0.0, area_.aspect() - kRoundAspect);
-  doubt_px2 += stretched * stretched;
+  const double stretched_px = doubt_of_stretched_px(area_);
+  const double misfit_px =
+      kDoubtOfMisfit * spot.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
+  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px;
   point_ = ImagePoint{.at = seen_.at,
                       .covariance_px2 = spot.covariance_px2 + doubt_px2 * Matrix2::Identity(),
                       .label = std::nullopt,

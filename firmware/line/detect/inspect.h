@@ -51,7 +51,8 @@ class Inspector {
   [[nodiscard]] double share_of_radius(const SpotFit& spot) const;
   [[nodiscard]] double distance_from_area_px(const SpotFit& spot) const;
   [[nodiscard]] bool luma_suffices(const SpotFit& spot) const;
-  DropCause check_fit(const SpotFit& spot, const Picture& picture);
+  void note_fit(const SpotFit& spot, Channel channel);
+  [[nodiscard]] DropCause check_fit(const SpotFit& spot, const Picture& picture) const;
   void make_point(const SpotFit& spot, Channel channel);
 
   LedDetectorSettings settings_;

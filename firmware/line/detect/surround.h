@@ -9,9 +9,11 @@ namespace tripoint {
 /// Percentiles (of S to 4 steps) of the ring between 2 r + 1.5 and 2 r + 4.5 px around an area of radius r.
 struct Surround {
   int pixels = 0;
-  int strength = 0;       ///< 40th percentile of S
-  int luma = 0;           ///< 40th percentile of Y
-  int red = 0;            ///< median of V
+  int strength = 0;         ///< 40th percentile of S
+  int luma = 0;             ///< 40th percentile of Y
+  int red = 0;              ///< median of V
+  double luma_noise = 0.0;  ///< standard deviation, from the 20th to the 80th percentile
+  double strength_noise = 0.0;
   double crowding = 0.0;  ///< share of the ring above 40 % of the contrast
 };
 

@@ -1,0 +1,156 @@
+// LEDs that are cut, hidden, merged, clipped or weak: measured within what is stated, or refused with a cause.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "bench/painter.h"
+#include "line/detect/led_detector.h"
+
+namespace tripoint {
+namespace {
+
+using bench::Ellipse;
+using bench::Light;
+using bench::Painting;
+
+constexpr ImageSize kSize{640, 480};
+
+struct Seen {
+  Detection detection;
+  CandidateLog log;
+};
+
+Seen seen_in(const Painting& painting, std::uint32_t seed = 1) {
+  std::mt19937 random(seed);
+  LedDetector detector{LedDetectorSettings{}};
+  const auto picture = painting.develop({}, random);
+  const Detection detection = detector.detect(picture.view(), {});
+  return {detection, detector.candidates()};
+}
+
+bool dropped_for(const CandidateLog& log, DropCause cause) {
+  return std::any_of(log.begin(), log.end(), [&](const Candidate& c) { return c.cause == cause; });
+}
+
+/// Error over the stated standard deviation; chi2 of two axes.
+double chi2(const ImagePoint& point, const RawPixel& truth) {
+  const Vec2 error(point.at.u_px - truth.u_px, point.at.v_px - truth.v_px);
+  return error.dot(point.covariance_px2.inverse() * error);
+}
+
+constexpr double kChi2Limit = 23.0;  // two axes, 1 in 100 000
+
+TEST(DifficultSpotsTest, LedCutByAnyBorderIsRefusedWithThatCause) {
+  for (const RawPixel at : {RawPixel{0.6, 200.0}, RawPixel{638.7, 200.0}, RawPixel{300.0, 0.4}, RawPixel{300.0, 478.9},
+                            RawPixel{0.3, 0.3}}) {
+    Painting painting(kSize, 0.02);
+    painting.add(Light{.at = at});
+    const Seen seen = seen_in(painting);
+    EXPECT_TRUE(seen.detection.points.empty()) << at.u_px << ", " << at.v_px;
+    EXPECT_TRUE(dropped_for(seen.log, DropCause::kCutByBorder)) << at.u_px << ", " << at.v_px;
+  }
+}
+
+TEST(DifficultSpotsTest, LedNearTheBorderIsMeasuredWithinItsCovariance) {
+  for (const double distance_px : {7.0, 8.5, 10.0, 14.0}) {
+    const RawPixel at{distance_px, 200.3};
+    Painting painting(kSize, 0.02);
+    painting.add(Light{.at = at});
+    const Seen seen = seen_in(painting);
+    ASSERT_EQ(seen.detection.points.size(), 1U) << distance_px;
+    EXPECT_LT(chi2(seen.detection.points[0], at), kChi2Limit) << distance_px;
+  }
+}
+
+TEST(DifficultSpotsTest, TwoLedsApartAreBothFound) {
+  for (const double apart_px : {14.0, 18.0, 24.0, 30.0}) {
+    Painting painting(kSize, 0.02);
+    const RawPixel first{300.2, 200.4};
+    const RawPixel second{300.2 + 0.8 * apart_px, 200.4 + 0.6 * apart_px};
+    painting.add(Light{.at = first, .sigma_px = 1.5});
+    painting.add(Light{.at = second, .sigma_px = 1.5});
+    const Seen seen = seen_in(painting);
+    ASSERT_EQ(seen.detection.points.size(), 2U) << apart_px;
+    for (const ImagePoint& point : seen.detection.points) {
+      EXPECT_LT(std::min(chi2(point, first), chi2(point, second)), kChi2Limit) << apart_px;
+    }
+  }
+}
+
+TEST(DifficultSpotsTest, MergedLedsAreNeverMeasuredAsOneInTheMiddle) {
+  for (double apart_px = 3.0; apart_px < 14.0; apart_px += 0.5) {
+    Painting painting(kSize, 0.02);
+    const RawPixel first{300.2, 200.4};
+    const RawPixel second{300.2 + 0.8 * apart_px, 200.4 + 0.6 * apart_px};
+    painting.add(Light{.at = first, .sigma_px = 1.5});
+    painting.add(Light{.at = second, .sigma_px = 1.5});
+    for (const ImagePoint& point : seen_in(painting).detection.points) {
+      EXPECT_LT(std::min(chi2(point, first), chi2(point, second)), kChi2Limit) << apart_px;
+    }
+  }
+}
+
+TEST(DifficultSpotsTest, LedWhoseCentreShowsIsRefusedOrCoveredByItsCovariance) {
+  // Once the centre itself is hidden, no single picture can say where it was.
+  for (double edge_px = 0.0; edge_px <= 5.0; edge_px += 0.5) {
+    Painting painting(kSize, 0.02);
+    const RawPixel at{300.2, 200.4};
+    painting.add(Light{.at = at});
+    painting.add(Ellipse{{at.u_px + edge_px + 40.0, at.v_px}, 40.0, 40.0, {0.02, 0.02, 0.02}});
+    for (const ImagePoint& point : seen_in(painting).detection.points) {
+      EXPECT_LT(chi2(point, at), kChi2Limit) << "edge at " << edge_px << " px";
+    }
+  }
+}
+
+TEST(DifficultSpotsTest, ClippedLedIsMarkedAndMeasured) {
+  for (const double peak : {1.5, 3.0, 10.0}) {
+    Painting painting(kSize, 0.02);
+    const RawPixel at{300.2, 200.4};
+    painting.add(Light{.at = at, .peak = peak});
+    const Seen seen = seen_in(painting);
+    ASSERT_EQ(seen.detection.points.size(), 1U) << peak;
+    EXPECT_TRUE(seen.detection.points[0].saturated) << peak;
+    EXPECT_LT(chi2(seen.detection.points[0], at), kChi2Limit) << peak;
+  }
+}
+
+TEST(DifficultSpotsTest, UnclippedLedIsNotMarked) {
+  Painting painting(kSize, 0.01);
+  painting.add(Light{.at = {300.2, 200.4}, .peak = 0.6});
+  const Seen seen = seen_in(painting);
+  ASSERT_EQ(seen.detection.points.size(), 1U);
+  EXPECT_FALSE(seen.detection.points[0].saturated);
+  EXPECT_FALSE(seen.detection.points[0].weak);
+}
+
+TEST(DifficultSpotsTest, WeakLedIsMarkedMeasuredOnStrengthAndLessCertain) {
+  std::mt19937 random(1);
+  const RawPixel at{300.2, 200.4};
+  Painting painting(kSize, 0.02);
+  painting.add(Light{.at = at, .peak = 0.6});
+  LedDetectorSettings settings;
+  settings.weak_amplitude = 200.0;  // more than any red LED can have in Y
+  LedDetector detector{settings};
+  const auto picture = painting.develop({}, random);
+  const Detection detection = detector.detect(picture.view(), {});
+  ASSERT_EQ(detection.points.size(), 1U);
+  EXPECT_TRUE(detection.points[0].weak);
+  EXPECT_GE(detection.points[0].covariance_px2(0, 0), settings.split_floor_px * settings.split_floor_px);
+  EXPECT_LT(chi2(detection.points[0], at), kChi2Limit);
+}
+
+TEST(DifficultSpotsTest, TooDimALedIsRefusedAsDim) {
+  Painting painting(kSize, 0.005);
+  painting.add(Light{.at = {300.2, 200.4}, .peak = 0.1});
+  const Seen seen = seen_in(painting);
+  EXPECT_TRUE(seen.detection.points.empty());
+  EXPECT_TRUE(dropped_for(seen.log, DropCause::kDim));
+}
+
+}  // namespace
+}  // namespace tripoint
