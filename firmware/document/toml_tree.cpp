@@ -6,6 +6,18 @@
 
 #include <fmt/format.h>
 
+// toml++ asserts what it expects of the text, and some texts, "[+" among them, are otherwise: those are refused by
+// us like any other that is not TOML. In a release build it would take its assertions for granted instead.
+namespace tripoint {
+namespace {
+struct UnexpectedText {};
+constexpr void expect(bool condition) {
+  if (!condition) throw UnexpectedText{};
+}
+}  // namespace
+}  // namespace tripoint
+#undef NDEBUG
+#define TOML_ASSERT(condition) ::tripoint::expect(static_cast<bool>(condition))
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
@@ -67,6 +79,19 @@ std::optional<TomlNode> node_from(const toml::node& node) {
   return std::nullopt;
 }
 
+Result<TomlTable> checked_tree(const toml::parse_result& parsed, std::string_view file_name) {
+  if (!parsed) {
+    return failure(ErrorCode::kMalformed,
+                   fmt::format("{}:{}: not TOML: {}", file_name, parsed.error().source().begin.line,
+                               parsed.error().description()));
+  }
+  std::optional<TomlTable> table = table_from(parsed.table());
+  if (table) return *std::move(table);
+  return failure(
+      ErrorCode::kMalformed,
+      fmt::format("{}: a date or time alone; permitted is both together, as 2026-01-31T12:00:00Z", file_name));
+}
+
 /// The value of an override: TOML when it reads as such, else the text as it stands.
 TomlNode value_from(std::string_view text) {
   const Result<TomlTable> parsed = toml_tree_from(fmt::format("value = {}", text), "");
@@ -91,19 +116,11 @@ Result<TomlTable> toml_tree_from(std::string_view text, std::string_view file_na
     return failure(ErrorCode::kMalformed,
                    fmt::format("{}: {} bytes; permitted is up to {}", file_name, text.size(), kMostDocumentBytes));
   }
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    return failure(ErrorCode::kMalformed,
-                   fmt::format("{}:{}: not TOML: {}", file_name, parsed.error().source().begin.line,
-                               parsed.error().description()));
+  try {
+    return checked_tree(toml::parse(text), file_name);
+  } catch (const UnexpectedText&) {
+    return failure(ErrorCode::kMalformed, fmt::format("{}: not TOML", file_name));
   }
-  std::optional<TomlTable> table = table_from(parsed.table());
-  if (!table) {
-    return failure(
-        ErrorCode::kMalformed,
-        fmt::format("{}: a date or time alone; permitted is both together, as 2026-01-31T12:00:00Z", file_name));
-  }
-  return *std::move(table);
 }
 
 const TomlNode* find(const TomlTable& table, std::string_view key) {

@@ -38,6 +38,23 @@ TEST(TomlTreeTest, BrokenTextIsAnErrorWithFileAndLine) {
   EXPECT_THAT(tree.error().message, HasSubstr("f.toml:2: not TOML"));
 }
 
+TEST(TomlTreeTest, LettersBeyondAsciiAreTextAndNeverWhiteSpace) {
+  // From every block of the library's table of spaces that has no space of its own.
+  for (const char* letter : {"\u00e4", "\u00b5", "\u0391", "\u1681", "\u2060", "\u2c00", "\ufe80", "\uff21"}) {
+    const std::string text = "a = \"" + std::string{letter} + "\"  # " + letter + "\n";
+    const auto tree = toml_tree_from(text, "f.toml");
+    ASSERT_TRUE(tree.has_value()) << text;
+    EXPECT_EQ(std::get<std::string>(find(*tree, "a")->value), letter);
+    EXPECT_FALSE(toml_tree_from("a = 1 " + std::string{letter}, "f.toml").has_value()) << text;
+  }
+}
+
+TEST(TomlTreeTest, TextThatTheParserDidNotExpectIsAnError) {
+  const auto tree = toml_tree_from("[+]\n", "f.toml");
+  ASSERT_FALSE(tree.has_value());
+  EXPECT_EQ(tree.error().code, ErrorCode::kMalformed);
+}
+
 TEST(TomlTreeTest, ADateAloneIsAnError) {
   EXPECT_EQ(toml_tree_from("a = 1970-01-02", "").error().code, ErrorCode::kMalformed);
   EXPECT_EQ(toml_tree_from("a = [{b = 07:30:00}]", "").error().code, ErrorCode::kMalformed);
