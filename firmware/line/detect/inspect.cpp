@@ -254,7 +254,8 @@ DropCause Inspector::fit(const Picture& picture) {
 
 void Inspector::note_fit(const SpotFit& spot, Channel channel) {
   const double amplitude = std::max(spot.visible_amplitude, 1.0);
-  const double noise = channel == Channel::kLuma ? around_.luma_noise : 0.25 * around_.strength_noise;
+  const RingNoise ring = ring_noise(window_, area_);
+  const double noise = channel == Channel::kLuma ? ring.luma : 0.25 * ring.strength;
   seen_.at = {window_.left_px() + fit_left_ + spot.model.column, window_.top_px() + fit_top_ + spot.model.row};
   seen_.sigma_px = static_cast<float>(spot.model.sigma_px);
   seen_.amplitude = static_cast<float>(spot.visible_amplitude);

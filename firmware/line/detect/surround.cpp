@@ -92,9 +92,20 @@ Surround surround_of(const SpotWindow& window, const Area& area, int peak) {
           .strength = strength,
           .luma = lumas.percentile(n, 0.4),
           .red = reds.percentile(n, 0.5),
-          .luma_noise = lumas.noise(n),
-          .strength_noise = kStrengthBin * strengths.noise(n),
           .crowding = static_cast<double>(strengths.count_above(bright / kStrengthBin)) / n};
+}
+
+RingNoise ring_noise(const SpotWindow& window, const Area& area) {
+  StrengthHistogram strengths;
+  Histogram<256> lumas;
+  int n = 0;
+  const double reach_px = surround_reach_px(area);
+  for_each_pixel(window, {area.column, area.row, reach_px - 3.0, reach_px}, [&](std::size_t i) {
+    strengths.add(window.strength(i) / kStrengthBin);
+    lumas.add(window.luma(i));
+    ++n;
+  });
+  return {.luma = lumas.noise(n), .strength = kStrengthBin * strengths.noise(n)};
 }
 
 int background_of(const SpotWindow& window) {
