@@ -20,10 +20,9 @@ namespace {
 using boost::asio::ip::tcp;
 using boost::system::error_code;
 
-constexpr Duration kLongestSweep{100'000'000};    // deadlines are held to this, or to an eighth of the shortest one
-constexpr Duration kAcceptRetry{100'000'000};     // when the system has no descriptor for a newcomer
-constexpr Duration kWarningHold{10'000'000'000};  // registers.md: a warning stays at least 10 s
-constexpr int kSendBufferBytes = 32 * 1024;       // what a client that does not read can hold in the kernel
+constexpr Duration kLongestSweep{100'000'000};  // deadlines are held to this, or to an eighth of the shortest one
+constexpr Duration kAcceptRetry{100'000'000};   // when the system has no descriptor for a newcomer
+constexpr int kSendBufferBytes = 32 * 1024;     // what a client that does not read can hold in the kernel
 
 struct AtomicCounters {
   std::atomic<std::uint64_t> accepted{0}, refused{0}, displaced{0}, timed_out{0}, broken{0}, requests{0}, internal{0};

@@ -28,12 +28,20 @@ void put_identity(RegisterImage& image, const UnitIdentity& identity) {
   image.put(kOutputFrame, identity.output_frame);
 }
 
-void put_state(RegisterImage& image, const UnitState& state, const ServiceState& service, const Reading& live) {
+/// The status bits now: those of the newest measurement, and degraded also by a warning that is held.
+std::uint16_t status_now(const Reading& live, std::uint16_t warnings) {
+  constexpr unsigned kDegraded = 1U << static_cast<unsigned>(registers::StatusBit::kDegraded);
+  return static_cast<std::uint16_t>(live.status | (warnings != 0 ? kDegraded : 0U));
+}
+
+void put_state(RegisterImage& image, const Edition& edition, const ServiceState& service, const Reading& live) {
   using namespace registers::state;
+  const UnitState& state = *edition.state;
+  const auto warnings = static_cast<std::uint16_t>(live.warnings | edition.held.bits() | service.warnings.bits());
   image.put(kHeartbeat, state.heartbeat);
-  image.put(kStatus, live.status);
+  image.put(kStatus, status_now(live, warnings));
   image.put(kFaults, live.faults);
-  image.put(kWarnings, live.warnings);
+  image.put(kWarnings, warnings);
   image.put(kState, state.state);
   image.put(kClients, service.clients);
   image.put(kCommandEcho, service.command.echo);
@@ -129,12 +137,12 @@ Reading without_prediction(const Reading& live) {
 RegisterImage image_at(const Edition& edition, const ServiceState& service, TimePoint now) {
   using namespace registers;
   const UnitState& state = *edition.state;
-  const Reading live = live_reading(state, edition.latch, service.warnings, now);
+  const Reading live = live_reading(state, edition.latch, now);
   const Reading latched_copy = latched_reading(state, edition.latch, now);
 
   RegisterImage image;
   put_identity(image, state.identity);
-  put_state(image, state, service, live);
+  put_state(image, edition, service, live);
   image.put(registers::state::kUptime, raw_of(registers::state::kUptime, std::floor(seconds(now - state.started))));
   put_integer_pose(image, live);
   put_float_pose(image, live);

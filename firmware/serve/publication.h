@@ -7,6 +7,7 @@
 
 #include "serve/latch.h"
 #include "serve/unit_state.h"
+#include "serve/warning_hold.h"
 #include "values/time.h"
 
 namespace tripoint {
@@ -15,6 +16,7 @@ namespace tripoint {
 struct Edition {
   std::shared_ptr<const UnitState> state;  ///< never null; shared with the publisher, which has moved on
   Latch latch;
+  Warnings held;  ///< of this state and of those before it, see WarningHold
 };
 
 /// Every reader gets one whole state. The lock is held for the exchange of pointers; only a latch copies under it.
@@ -36,6 +38,7 @@ class Publication {
   std::mutex mutex_;
   std::shared_ptr<const UnitState> state_;  // shared with the answers that are being made from it
   Latch latch_;
+  WarningHold warnings_;
 };
 
 }  // namespace tripoint

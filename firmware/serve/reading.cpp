@@ -65,24 +65,23 @@ const LatchedCopy* valid_copy(const UnitState& state, const Latch& latch, TimePo
 }
 
 /// Before the first verdict: no time, no age, and what the unit itself has to say.
-Reading nothing_yet(const UnitState& state, Warnings warnings) {
+Reading nothing_yet(const UnitState& state) {
   Reading reading;
   reading.faults = state.faults.bits();
-  reading.warnings = warnings.bits();
+  reading.warnings = state.warnings.bits();
   reading.setup = state.identity.setup;
   reading.heartbeat = state.heartbeat;
   reading.status = static_cast<std::uint16_t>(unit_bits(state.flags) | mask(StatusBit::kStale) |
-                                              mask(StatusBit::kDegraded, !warnings.empty()));
+                                              mask(StatusBit::kDegraded, !state.warnings.empty()));
   return reading;
 }
 
 }  // namespace
 
-Reading live_reading(const UnitState& state, const Latch& latch, Warnings service_warnings, TimePoint now) {
-  Warnings warnings = state.warnings;
-  warnings.insert(service_warnings);
-  if (!state.newest) return nothing_yet(state, warnings);
+Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now) {
+  if (!state.newest) return nothing_yet(state);
   const Measurement& measurement = state.newest->measurement;
+  Warnings warnings = state.warnings;
   warnings.insert(measurement.warnings);
   Faults faults = state.faults;
   faults.insert(measurement.faults);

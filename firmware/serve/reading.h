@@ -30,9 +30,7 @@ struct Reading {
 };
 
 /// The newest measurement: stale and not valid past the age limit, whatever it says itself.
-///
-/// @param service_warnings what the server adds to the unit's own warnings
-Reading live_reading(const UnitState& state, const Latch& latch, Warnings service_warnings, TimePoint now);
+Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now);
 
 /// The latched copy: not valid past the hold limit, after a change of setup, and while nothing is latched.
 Reading latched_reading(const UnitState& state, const Latch& latch, TimePoint now);

@@ -85,8 +85,8 @@ struct UnitState {
   registers::State state = registers::State::kStarting;
   TimePoint started{};
   std::uint16_t heartbeat = 0;
-  Faults faults;                               ///< of the unit; those of the measurement are added
-  Warnings warnings;                           ///< of the unit, held for 10 s; those of the measurement are added
+  Faults faults;      ///< of the unit; those of the measurement are added
+  Warnings warnings;  ///< of the unit; those of the measurement are added, Publication holds all
   std::optional<PublishedMeasurement> newest;  ///< nothing before the first verdict
   bool pose_since_start = false;               ///< at least one verdict had a pose
   PerSide<CameraStats> cameras;

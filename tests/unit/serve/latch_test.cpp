@@ -14,7 +14,7 @@ constexpr TimePoint kOldestPicture = kExposed - milliseconds(33);  // of states.
 
 Edition latched(UnitState state) {
   const Latch latch = filled(requested(Latch{}, kOldestPicture - Duration{1}), state);
-  return Edition{std::make_shared<const UnitState>(state), latch};
+  return Edition{std::make_shared<const UnitState>(state), latch, {}};
 }
 
 RegisterImage image_of(const Edition& edition, TimePoint now) { return image_at(edition, ServiceState{}, now); }
@@ -52,7 +52,7 @@ TEST(LatchTest, FailsWhenNoPoseCameInTime) {
 
 TEST(LatchTest, ANewRequestEmptiesTheCopy) {
   const Edition before = latched(unit_state());
-  const RegisterImage image = image_of({before.state, requested(before.latch, kExposed)}, kExposed);
+  const RegisterImage image = image_of({before.state, requested(before.latch, kExposed), {}}, kExposed);
   EXPECT_EQ(image[401] & 0x001C, 0x0010);
   EXPECT_EQ(u32_at(image, 410), 0x80000000U);
   EXPECT_EQ(image[33] & 0x1000, 0);
@@ -62,7 +62,7 @@ TEST(LatchedBlockTest, HoldsThePoseInBothFormatsWhileTheLiveOneMovesOn) {
   const Edition first = latched(unit_state(position_measurement(7)));
   Measurement moved = position_measurement(8);
   moved.pose->position_in_output_mm = Vec3::Zero();
-  const Edition edition{std::make_shared<const UnitState>(unit_state(moved)), first.latch};
+  const Edition edition{std::make_shared<const UnitState>(unit_state(moved)), first.latch, {}};
   const RegisterImage image = image_of(edition, kExposed + milliseconds(50));
   EXPECT_EQ(i32_at(image, 110), 0);
   EXPECT_EQ(image[400], 7);
@@ -100,7 +100,7 @@ TEST(LatchedBlockTest, TurnsNotValidWithAnotherSetup) {
   const Edition before = latched(unit_state());
   UnitState changed = unit_state();
   changed.identity.setup = 0x1234;
-  const RegisterImage image = image_of({std::make_shared<const UnitState>(changed), before.latch}, kExposed);
+  const RegisterImage image = image_of({std::make_shared<const UnitState>(changed), before.latch, {}}, kExposed);
   EXPECT_EQ(image[401] & 0x0004, 0);
   EXPECT_EQ(image[446], 0xBEEF);
   EXPECT_EQ(u32_at(image, 410), 0x80000000U);

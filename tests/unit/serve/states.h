@@ -54,7 +54,9 @@ inline UnitState unit_state(const Measurement& measurement = position_measuremen
   return state;
 }
 
-inline Edition edition_of(const UnitState& state) { return Edition{std::make_shared<const UnitState>(state), Latch{}}; }
+inline Edition edition_of(const UnitState& state) {
+  return Edition{std::make_shared<const UnitState>(state), Latch{}, {}};
+}
 
 inline std::uint64_t bits_at(const RegisterImage& image, std::size_t address, std::size_t words) {
   std::uint64_t bits = 0;
