@@ -44,9 +44,9 @@ class Developer {
   static Weights weights(double red, double green, double blue, double offset);
 
   YuvPlanes planes_;
-  Weights luma_;
-  Weights chroma_u_;
-  Weights chroma_v_;
+  Weights luma_{};
+  Weights chroma_u_{};
+  Weights chroma_v_{};
   std::vector<std::int16_t> is_odd_;  ///< all bits set at odd x
   std::vector<std::int16_t> red_;
   std::vector<std::int16_t> green_;

@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t kBlock = 8;
 
 struct Freed {
-  void operator()(unsigned char* bytes) const { std::free(bytes); }  // libjpeg takes it from malloc
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): libjpeg takes it from malloc
+  void operator()(unsigned char* bytes) const { std::free(bytes); }
 };
 
 /// Compressing a checked picture into memory cannot fail but by a bug or a lack of memory.
 [[noreturn]] void stop(j_common_ptr /*info*/) {
-  TRIPOINT_ASSERT(!"libjpeg refused a simulated picture");
-  std::abort();
+  assertion_failed("libjpeg takes a simulated picture", __FILE__, __LINE__);
 }
 
 /// Chroma at half height: the mean of two rows.
@@ -59,6 +59,7 @@ std::array<JSAMPROW, 2 * kBlock> rows_from(const std::vector<std::uint8_t>& plan
                                            std::size_t width) {
   std::array<JSAMPROW, 2 * kBlock> rows{};
   for (std::size_t i = 0; i < rows.size() && (first + i + 1) * width <= plane.size(); ++i) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library takes input as if it were output
     rows[i] = const_cast<JSAMPROW>(plane.data() + (first + i) * width);
   }
   return rows;

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100'000));
   app.add_option("--out", options.out, "folder to write; must be empty or absent")->required();
   app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
-  app.add_option("--scenario", options.scenario, "paper-linear, paper-circular or static-volume");
+  app.add_option("--scenario", options.scenario, "paper-linear, paper-circular, scout or static-volume");
   app.add_option("--trajectory", options.trajectory, "CSV file, instead of a scenario");
   app.add_option("--width", options.width_px, "of a picture, px");
   app.add_option("--height", options.height_px, "of a picture, px");

@@ -23,7 +23,9 @@ inline constexpr int kClipCounts = 1023;
 inline constexpr int kPedestalCounts = 64;
 
 /// Colour of a pixel of the mosaic: 0 red, 1 green, 2 blue. Red at even x of even rows.
-constexpr std::size_t bayer_channel(int x, int y) { return static_cast<std::size_t>((x & 1) + (y & 1)); }
+constexpr std::size_t bayer_channel(int x, int y) {
+  return (static_cast<std::size_t>(x) & 1U) + (static_cast<std::size_t>(y) & 1U);
+}
 
 /// Normal noise of mean 0 and variance 1, made once; every row of every frame starts at its own place in it.
 class NoiseTable {

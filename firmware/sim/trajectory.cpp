@@ -66,6 +66,24 @@ Trajectory paper_circular() {
           }};
 }
 
+Trajectory scout() {
+  constexpr double kMove_s = 3.0;
+  return {.period = duration_from_seconds(2.0 * kMove_s), .reference_from_target = [](double phase_s) {
+            constexpr double kPi = std::numbers::pi;
+            constexpr double kUpperLink_m = 0.16;
+            constexpr double kForeLink_m = 0.21;
+            constexpr double kTenthInMm = 100.0;    // a metre of the robot
+            const Vec2 middle_m(0.58157, 0.04843);  // of the straight line from the first tip to the last
+            const double share = there_and_back(phase_s, kMove_s);
+            const double upper_rad = -kPi + share * 0.75 * kPi;
+            const double fore_rad = upper_rad - kPi / 2.0 + share * 0.75 * kPi;
+            const Vec2 tip_m(share + kUpperLink_m * std::cos(upper_rad) + kForeLink_m * std::cos(fore_rad),
+                             kUpperLink_m * std::sin(upper_rad) + kForeLink_m * std::sin(fore_rad));
+            const Vec2 placed_mm = kTenthInMm * (tip_m - middle_m);
+            return facing_the_cameras({placed_mm.x(), -placed_mm.y(), 400.0});  // y points down
+          }};
+}
+
 std::vector<Vec3> volume_stations() {
   std::vector<Vec3> stations;
   double x_sign = 1.0;
@@ -92,9 +110,10 @@ Trajectory static_volume() {
 Result<Trajectory> scenario_trajectory(std::string_view name) {
   if (name == "paper-linear") return paper_linear();
   if (name == "paper-circular") return paper_circular();
+  if (name == "scout") return scout();
   if (name == "static-volume") return static_volume();
-  return failure(ErrorCode::kOutOfRange,
-                 "scenario \"" + std::string(name) + "\": must be paper-linear, paper-circular or static-volume");
+  return failure(ErrorCode::kOutOfRange, "scenario \"" + std::string(name) +
+                                             "\": must be paper-linear, paper-circular, scout or static-volume");
 }
 
 Result<Trajectory> interpolated(std::vector<TrajectorySample> samples) {

@@ -31,6 +31,11 @@ Trajectory paper_linear();
 /// half a circle is an assumption.
 Trajectory paper_circular();
 
+/// The tip of the paper's wheeled manipulator (Eq. 18 and 19, Table III): the base drives 1 m while the joints turn
+/// from -180 and -90 to -45 and 45 degrees, links of 0.16 and 0.21 m, in 3 s, then back; constant speeds. The real path
+/// is 1.5 m long; here it has a tenth of its size, upright in the plane z = 400 mm, centred on the z axis.
+Trajectory scout();
+
 /// 27 stations over the volume that both default cameras see, 2 s at each, 1 s from one to the next.
 Trajectory static_volume();
 inline constexpr double kStationHold_s = 2.0;
@@ -39,7 +44,7 @@ inline constexpr double kStationMove_s = 1.0;
 /// The stations of static_volume(), mm in the reference frame, in the order in which they are visited.
 std::vector<Vec3> volume_stations();
 
-/// "paper-linear", "paper-circular" or "static-volume".
+/// "paper-linear", "paper-circular", "scout" or "static-volume".
 ///
 /// @return kOutOfRange for any other name
 Result<Trajectory> scenario_trajectory(std::string_view name);

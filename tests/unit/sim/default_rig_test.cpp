@@ -43,7 +43,7 @@ TEST(DefaultRigTest, WideSizeIsCutAboveAndBelow) {
 
 TEST(DefaultRigTest, BothCamerasSeeAllScenarios) {
   constexpr double kMargin_px = 12.0;  // six sigma of a spot
-  for (const Trajectory& trajectory : {paper_linear(), paper_circular(), static_volume()}) {
+  for (const Trajectory& trajectory : {paper_linear(), paper_circular(), scout(), static_volume()}) {
     for (int i = 0; i < 500; ++i) {
       const Vec3 place_mm = target_pose_at(trajectory, trajectory.period * i / 500).translation();
       for (const Side side : kBothSides) {

@@ -48,6 +48,22 @@ TEST(TrajectoryTest, PaperCircleIsHalfACircleBulgingToPositiveX) {
   EXPECT_NEAR(top.dot(last - first), 0.0, 1e-6);
 }
 
+// Forward kinematics by hand. Start: base 0, upper link along -x, fore link at -270 degrees: (-0.16, 0.21) m.
+// End: base 1 m, upper link at -45 degrees, fore link along +x: (1 + 0.16 / sqrt 2 + 0.21, -0.16 / sqrt 2) m.
+TEST(TrajectoryTest, ScoutIsATenthOfThePapersManipulator) {
+  const Trajectory path = scout();
+  ASSERT_EQ(path.period, std::chrono::seconds{6});
+  const Vec3 way_mm = place_at(path, 3.0) - place_at(path, 0.0);
+  EXPECT_NEAR(way_mm.x(), 100.0 * (1.0 + 0.16 / std::numbers::sqrt2 + 0.21 + 0.16), 1e-6);
+  EXPECT_NEAR(way_mm.y(), 100.0 * (0.16 / std::numbers::sqrt2 + 0.21), 1e-6);
+  EXPECT_NEAR(way_mm.z(), 0.0, kRounding_mm);
+  const Vec3 middle_mm = (place_at(path, 3.0) + place_at(path, 0.0)) / 2.0;
+  EXPECT_LT((middle_mm - Vec3(0.0, 0.0, 400.0)).norm(), 0.002);
+  // Half way: base 0.5 m, upper link at -112.5 degrees, fore link at -112.5 - 22.5 = -135 degrees.
+  const double x_m = 0.5 + 0.16 * std::cos(-1.9634954) + 0.21 * std::cos(-2.3561945);
+  EXPECT_NEAR(place_at(path, 1.5).x() - place_at(path, 0.0).x(), 100.0 * (x_m + 0.16), 1e-5);
+}
+
 TEST(TrajectoryTest, PhaseIsTheTimeSince1970ModuloThePeriod) {
   const Trajectory line = paper_linear();
   const Duration now = std::chrono::seconds{1'790'000'004} + std::chrono::milliseconds{250};
@@ -69,7 +85,7 @@ TEST(TrajectoryTest, VolumeTourStandsStillAtEveryStation) {
 }
 
 TEST(TrajectoryTest, ShiningSideLooksAtTheCameras) {
-  for (const Trajectory& trajectory : {paper_linear(), paper_circular(), static_volume()}) {
+  for (const Trajectory& trajectory : {paper_linear(), paper_circular(), scout(), static_volume()}) {
     const Isometry3 pose = target_pose_at(trajectory, std::chrono::seconds{5});
     EXPECT_LT((pose.linear() * Vec3::UnitZ() + Vec3::UnitZ()).norm(), kRounding_mm);
     EXPECT_NEAR(pose.linear().determinant(), 1.0, kRounding_mm);

@@ -1,0 +1,140 @@
+#include "app/camera_supply.h"
+
+#include <memory>
+#include <utility>
+
+#include "devices/camera_finder.h"
+#include "devices/v4l2_camera.h"
+#include "devices/v4l2_driver.h"
+#include "recording/recorded_camera.h"
+#include "sim/simulated_camera.h"
+#include "sim/trajectory.h"
+#include "sim/world.h"
+
+namespace tripoint {
+namespace {
+
+PixelFormat pixel_format(ConfiguredFormat format) {
+  switch (format) {
+    case ConfiguredFormat::kMjpeg:
+      return PixelFormat::kMjpeg;
+    case ConfiguredFormat::kGrey:
+      return PixelFormat::kGrey;
+    case ConfiguredFormat::kYuyv:
+      break;
+  }
+  return PixelFormat::kYuyv;
+}
+
+Trajectory trajectory_of(Scenario scenario) {
+  switch (scenario) {
+    case Scenario::kPaperLinear:
+      return paper_linear();
+    case Scenario::kStaticVolume:
+      return static_volume();
+    case Scenario::kScout:
+      return scout();
+    case Scenario::kPaperCircular:
+      break;
+  }
+  return paper_circular();
+}
+
+Result<SimulationSettings> simulation_settings(const Config& config) {
+  const SimulationConfig& wanted = config.simulation;
+  const Result<Trajectory> trajectory = wanted.trajectory_file.empty() ? Result<Trajectory>(trajectory_of(wanted.scenario))
+                                                                       : load_trajectory(wanted.trajectory_file);
+  if (!trajectory) return tl::make_unexpected(trajectory.error());
+  SimulationSettings settings;
+  settings.trajectory = *trajectory;
+  settings.rig = default_rig(config.cameras.size);
+  settings.format = pixel_format(config.cameras.format);
+  settings.rate_hz = config.cameras.rate_hz;
+  settings.exposure = config.cameras.exposure;
+  settings.line_time = duration_from_seconds(config.timing.line_time_us * 1e-6);
+  settings.clocks.left = {.phase = Duration{0},
+                          .drift_ppm = wanted.clock_drift_ppm / 2.0,
+                          .stamp_jitter = duration_from_seconds(wanted.stamp_jitter_us * 1e-6)};
+  settings.clocks.right = settings.clocks.left;
+  settings.clocks.right.phase = duration_from_seconds(wanted.right_phase_ms * 1e-3);
+  settings.clocks.right.drift_ppm = -wanted.clock_drift_ppm / 2.0;
+  settings.seed = wanted.seed;
+  return settings;
+}
+
+Result<PerSide<OpenCamera>> simulated_cameras(const Config& config, const Clock& clock) {
+  return simulation_settings(config)
+      .and_then([&](const SimulationSettings& settings) { return SimulatedWorld::create(settings, clock.now()); })
+      .map([&](SimulatedWorld&& made) {
+        // shared: both cameras look at one world, for as long as either may be opened anew
+        const auto world = std::make_shared<const SimulatedWorld>(std::move(made));
+        const auto open = [world, &clock](Side side) -> OpenCamera {
+          return [world, &clock, side]() -> Result<std::unique_ptr<Camera>> {
+            return SimulatedCamera::open(*world, side, clock, sleeping_by(clock));
+          };
+        };
+        return PerSide<OpenCamera>{open(Side::kLeft), open(Side::kRight)};
+      });
+}
+
+Result<PerSide<OpenCamera>> recorded_cameras(const Config& config, const Clock& clock) {
+  const Playback playback{.clock = clock,
+                          .wait_until = sleeping_by(clock),
+                          .start = clock.now(),
+                          .paced = config.recording.paced};
+  PerSide<OpenCamera> cameras;
+  for (const Side side : kBothSides) {
+    Result<OpenCamera> opener = RecordedCamera::opener(config.recording.folder, side, playback);
+    if (!opener) return tl::make_unexpected(opener.error());
+    cameras[side] = std::move(*opener);
+  }
+  return cameras;
+}
+
+V4l2Settings v4l2_settings(const CamerasConfig& config, Side side, const FoundCamera& found, Duration line_time) {
+  return {.side = side,
+          .node = found.node,
+          .port = found.port,
+          .serial = found.serial,
+          .format = pixel_format(config.format),
+          .size = config.size,
+          .rate_hz = config.rate_hz,
+          .exposure = config.exposure,
+          .gain = config.gain,
+          .white_balance_k = config.white_balance_k,
+          .focus = config.focus,
+          .line_time = line_time};
+}
+
+/// Finds the camera anew at each opening: its node may have changed while it was away.
+PerSide<OpenCamera> real_cameras(const Config& config, const Clock& clock) {
+  const auto driver = std::make_shared<KernelV4l2Driver>();  // shared: both cameras and every later opening use it
+  const Duration line_time = duration_from_seconds(config.timing.line_time_us * 1e-6);
+  const auto open = [driver, &clock, cameras_config = config.cameras, line_time](Side side) -> OpenCamera {
+    return [=, &clock]() -> Result<std::unique_ptr<Camera>> {
+      const CameraBinding& binding = cameras_config.bindings[side];
+      const CameraWanted wanted{.port = binding.port, .serial = binding.serial, .device = binding.device};
+      return camera_that_fits(cameras(*driver), wanted, std::string("camera ") + std::string(name(side)))
+          .and_then([&](const FoundCamera& found) {
+            return V4l2Camera::open(v4l2_settings(cameras_config, side, found, line_time), *driver, clock);
+          });
+    };
+  };
+  return {open(Side::kLeft), open(Side::kRight)};
+}
+
+}  // namespace
+
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock) {
+  switch (config.cameras.source) {
+    case CameraSource::kSimulation:
+      return simulated_cameras(config, clock);
+    case CameraSource::kRecording:
+      return recorded_cameras(config, clock);
+    case CameraSource::kV4l2:
+      break;
+  }
+  return real_cameras(config, clock);
+}
+
+}  // namespace tripoint
