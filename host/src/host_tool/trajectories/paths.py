@@ -18,6 +18,7 @@ Floats = NDArray[np.float64]
 FACING_CAMERAS_WXYZ = (0.0, 1.0, 0.0, 0.0)  # half a turn about x: the target's shining side looks at the cameras
 
 _LEG_S = 6.0  # one way, as in the paper
+_SCOUT_LEG_S = 3.0
 _STAY_S = 3.0  # at a station and on the way to the next
 _HOLD_S = 2.0  # of these at rest
 _NS_PER_S = 1_000_000_000
@@ -38,9 +39,9 @@ class Path:
         return position
 
 
-def _there_and_back(t_s: Floats) -> Floats:
+def _there_and_back(t_s: Floats, leg_s: float) -> Floats:
     """0 to 1 in one leg, then back to 0, for ever: a triangle wave of constant slope."""
-    phase = np.mod(t_s, 2.0 * _LEG_S) / _LEG_S
+    phase = np.mod(t_s, 2.0 * leg_s) / leg_s
     return np.where(phase <= 1.0, phase, 2.0 - phase)
 
 
@@ -48,7 +49,7 @@ def paper_linear_mm(t_s: Floats) -> Floats:
     """Straight from (-20, -50, 395) by (40, 100, 10) mm in 6 s, then back."""
     start_mm = np.array([-20.0, -50.0, 395.0])
     way_mm = np.array([40.0, 100.0, 10.0])
-    path_mm: Floats = start_mm + _there_and_back(t_s)[:, np.newaxis] * way_mm
+    path_mm: Floats = start_mm + _there_and_back(t_s, _LEG_S)[:, np.newaxis] * way_mm
     return path_mm
 
 
@@ -66,9 +67,24 @@ def paper_circular_mm(t_s: Floats) -> Floats:
     along = (start_mm - center_mm) / radius_mm
     bulge = np.array([1.0, 0.0, 0.0]) - along[0] * along
     bulge /= np.linalg.norm(bulge)
-    angle_rad = np.pi * _there_and_back(t_s)[:, np.newaxis]
+    angle_rad = np.pi * _there_and_back(t_s, _LEG_S)[:, np.newaxis]
     path_mm: Floats = center_mm + radius_mm * (np.cos(angle_rad) * along + np.sin(angle_rad) * bulge)
     return path_mm
+
+
+def scout_mm(t_s: Floats) -> Floats:
+    """The tip of the paper's wheeled manipulator (Eq. 18 and 19, Table III), in 3 s and back.
+
+    The base drives 1 m while the joints turn from -180 and -90 to -45 and 45 degrees; links of 0.16 and 0.21 m.
+    The real path is 1.5 m long: here it has a tenth of its size, upright in the plane z = 400 mm, with the middle
+    between its first and last tip on the z axis (rounded to 0.01 mm of the real path).
+    """
+    share = _there_and_back(t_s, _SCOUT_LEG_S)
+    upper_rad = np.pi * (0.75 * share - 1.0)
+    fore_rad = upper_rad + np.pi * (0.75 * share - 0.5)
+    x_m = share + 0.16 * np.cos(upper_rad) + 0.21 * np.cos(fore_rad)
+    y_m = 0.16 * np.sin(upper_rad) + 0.21 * np.sin(fore_rad)
+    return np.column_stack([100.0 * (x_m - 0.58157), -100.0 * (y_m - 0.04843), np.full_like(x_m, 400.0)])
 
 
 def volume_stations_mm() -> Floats:
@@ -99,6 +115,7 @@ SCENARIOS: dict[str, Path] = {
     for path in (
         Path("paper-linear", 2.0 * _LEG_S, paper_linear_mm),
         Path("paper-circular", 2.0 * _LEG_S, paper_circular_mm),
+        Path("scout", 2.0 * _SCOUT_LEG_S, scout_mm),
         Path("static-volume", 27 * _STAY_S, static_volume_mm),
     )
 }
