@@ -117,6 +117,15 @@ std::size_t picture_at_or_after(const Track& track, const StampClock& clock, Tim
   return back;
 }
 
+/// A picture taken at that very moment stands alone; a later one is joined with the one before it.
+TimePoint oldest_exposed(const Track& track, const StampClock& clock, TimePoint time, std::size_t back) {
+  const TrackedPicture& picture = track.picture(back);
+  const TimePoint exposed = time_of_row(clock, picture, picture.first_row_px);
+  if (exposed - time <= kExact || back + 1 >= track.size()) return exposed;
+  const TrackedPicture& before = track.picture(back + 1);
+  return time_of_row(clock, before, before.first_row_px);
+}
+
 }  // namespace
 
 TimePoint time_of_row(const StampClock& clock, const TrackedPicture& picture, double row_px) {
@@ -128,6 +137,7 @@ PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoi
   const std::size_t back = picture_at_or_after(track, clock, time);
   found.picture = &track.picture(back);
   found.spots = found.picture->points.size();
+  found.oldest_exposed = oldest_exposed(track, clock, time, back);
   for (std::size_t i = 0; i < found.spots; ++i) {
     const Sample late = sample_of(track, clock, back, i);
     const PointAtTime one = point_at_time(track, clock, late, time, offset_sigma_s);

@@ -1,0 +1,22 @@
+// Where pictures come from: the only place that picks real, simulated or recorded cameras.
+#pragma once
+
+#include "capture/camera_worker.h"
+#include "config/config.h"
+#include "ports/clock.h"
+#include "values/result.h"
+#include "values/side.h"
+
+namespace tripoint {
+
+/// How to open each camera, again and again.
+///
+/// @param clock must outlive the cameras
+/// @return errors of a simulation's trajectory or a recording's folder; a real camera that is absent is not an error
+///   here: its worker keeps trying
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock);
+
+/// True when nothing real is measured.
+constexpr bool is_simulated(CameraSource source) { return source != CameraSource::kV4l2; }
+
+}  // namespace tripoint

@@ -1,0 +1,118 @@
+#include "app/composition.h"
+
+#include <spdlog/spdlog.h>
+
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "app/camera_supply.h"
+#include "app/detector_settings.h"
+#include "app/measuring.h"
+#include "app/unit_setup.h"
+#include "app/version.h"
+#include "capture/camera_worker.h"
+#include "devices/system_clock.h"
+#include "line/detect/led_detector.h"
+#include "net/modbus_server.h"
+#include "net/realtime.h"
+#include "serve/publication.h"
+#include "serve/responder.h"
+
+namespace tripoint {
+namespace {
+
+constexpr std::size_t kQueuedEvents = 16;  // a quarter of a second of both cameras
+constexpr int kModbusPriority = 50;        // below the kernel's own interrupt threads
+
+DetectPoints led_detection(const DetectorConfig& config) {
+  const auto detector = std::make_shared<LedDetector>(led_detector_settings(config));  // shared: std::function must be copyable
+  return [detector](const Picture& picture, const Forecast& forecast) {
+    const Detection found = detector->detect(picture, forecast);
+    Observation observation;
+    observation.points = found.points;
+    observation.health = found.health;
+    observation.forecast_used = forecast.number;
+    return observation;
+  };
+}
+
+Result<ModbusSettings> modbus_settings(const ModbusConfig& config) {
+  ModbusSettings settings;
+  settings.address = config.address;
+  settings.port = config.port;
+  settings.most_connections = static_cast<std::size_t>(config.max_connections);
+  for (const std::string& client : config.allowed_clients) {
+    const Result<ClientNetwork> network = client_network_from(client);
+    if (!network) return tl::make_unexpected(network.error());
+    settings.allowed_clients.push_back(*network);
+  }
+  for (const std::string& client : config.command_clients) {
+    const Result<ClientNetwork> network = client_network_from(client);
+    if (!network) return tl::make_unexpected(network.error());
+    settings.command_clients.push_back(*network);
+  }
+  return settings;
+}
+
+void serve_modbus(ModbusServer& server, const std::stop_token& stop) {
+  if (const Result<void> priority = take_realtime_priority(kModbusPriority); !priority) {
+    spdlog::info("modbus: {}", priority.error().message);
+  }
+  server.run(stop);
+}
+
+/// Everything that the threads share; it outlives them.
+struct Unit {
+  SystemClock clock;
+  BoundedQueue<Event> events{kQueuedEvents};
+  PerSide<Latest<CameraStatus>> cameras;
+  Latest<Forecast> forecast;
+  Publication publication;
+  Responder responder;
+
+  explicit Unit(UnitState first) : publication(std::move(first)), responder(publication, device_identification()) {}
+};
+
+CameraWorker camera_worker(Unit& unit, Side side, const Config& config, OpenCamera open) {
+  CameraLimits limits;
+  limits.frame = config.cameras.loss_after;
+  return {side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector)},
+          CameraLinks{.events = unit.events, .forecast = unit.forecast, .status = unit.cameras[side], .clock = unit.clock},
+          limits};
+}
+
+}  // namespace
+
+Result<void> run_unit(const Config& config, const std::function<void()>& until_stop) {
+  Result<UnitSetup> setup = unit_setup(config);
+  if (!setup) return tl::make_unexpected(setup.error());
+  const Result<ModbusSettings> settings = modbus_settings(config.modbus);
+  if (!settings) return tl::make_unexpected(settings.error());
+
+  const SystemClock started_by;
+  UnitReport report(setup->constants, started_by.now());
+  Unit unit(report.state({}, started_by));
+  Result<PerSide<OpenCamera>> cameras = camera_supply(config, unit.clock);
+  if (!cameras) return tl::make_unexpected(cameras.error());
+  Result<ModbusServer> server =
+      ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
+  if (!server) return tl::make_unexpected(server.error());
+  spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(), setup->constants.identity.setup);
+
+  CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left));
+  CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right));
+  Measuring measuring({unit.events, unit.cameras, unit.forecast, unit.publication, unit.clock}, setup->model,
+                      fits_calibration(setup->calibration), std::move(report));
+
+  const std::jthread modbus([&server](const std::stop_token& token) { serve_modbus(*server, token); });
+  const std::jthread measuring_thread([&measuring](const std::stop_token& token) { measuring.run(token); });
+  const std::jthread left_thread([&left](const std::stop_token& token) { left.run(token); });
+  const std::jthread right_thread([&right](const std::stop_token& token) { right.run(token); });
+  until_stop();
+  spdlog::info("stopping");
+  return {};
+}
+
+}  // namespace tripoint

@@ -1,0 +1,20 @@
+// How the program ends; scripts and service managers rely on the numbers.
+#pragma once
+
+#include "values/result.h"
+
+namespace tripoint {
+
+enum class ExitCode : int {
+  kWell = 0,
+  kUsage = 2,          ///< usage, configuration, or a port in use
+  kDeviceMissing = 3,  ///< never from `run`, which waits for it
+  kOurFault = 70,
+};
+
+constexpr int number(ExitCode code) { return static_cast<int>(code); }
+
+/// Prints the error's line to stderr and says how to end.
+int report(const Error& error);
+
+}  // namespace tripoint

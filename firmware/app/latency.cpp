@@ -1,0 +1,26 @@
+#include "app/latency.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tripoint {
+
+void LatencyWindow::add(Duration latency) {
+  samples_[next_] = latency;
+  next_ = (next_ + 1) % kSize;
+  count_ = std::min(count_ + 1, kSize);
+}
+
+Duration LatencyWindow::quantile(double p) const {
+  if (count_ == 0) return Duration{0};
+  std::array<Duration, kSize> sorted = samples_;
+  const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(count_)));
+  const std::size_t index = std::clamp<std::size_t>(rank, 1, count_) - 1;
+  const auto begin = sorted.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(count_);
+  const auto nth = begin + static_cast<std::ptrdiff_t>(index);
+  std::nth_element(begin, nth, end);
+  return *nth;
+}
+
+}  // namespace tripoint

@@ -1,0 +1,59 @@
+#include "app/measuring.h"
+
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace tripoint {
+namespace {
+
+constexpr Duration kTick = std::chrono::milliseconds(20);      ///< silence is noticed this fast
+constexpr Duration kRefresh = std::chrono::milliseconds(200);  ///< cameras and clocks are told this often at least
+
+std::optional<TimePoint> arrival(const Event& event) {
+  const auto* observation = std::get_if<Observation>(&event);
+  return observation == nullptr ? std::nullopt : std::optional(observation->arrived);
+}
+
+}  // namespace
+
+Measuring::Measuring(MeasuringLinks links, std::shared_ptr<const LineModel> model, CalibrationFits calibration_fits,
+                     UnitReport report)
+    : links_(links),
+      model_(std::move(model)),
+      calibration_fits_(std::move(calibration_fits)),
+      report_(std::move(report)),
+      line_(model_) {}
+
+void Measuring::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    const std::optional<Event> event = links_.events.pop(kTick);
+    step(event ? *event : Event{Tick{links_.clock.now()}});
+  }
+}
+
+void Measuring::step(const Event& event) {
+  const std::optional<Measurement> measurement = line_.step(event);
+  const TimePoint now = links_.clock.now();
+  if (!measurement && now - published_ < kRefresh) return;
+
+  const PerSide<CameraStatus> cameras{links_.cameras.left.get(), links_.cameras.right.get()};
+  if (measurement) report_.take(*measurement, arrival(event), links_.clock);
+  links_.publication.publish(report_.state(cameras, links_.clock), now);
+  published_ = now;
+  if (measurement) links_.forecast.put(line_.forecast());
+  log_.take(cameras);
+  check_cameras(cameras);
+}
+
+void Measuring::check_cameras(const PerSide<CameraStatus>& cameras) {
+  if (!model_) return;
+  const bool fits = calibration_fits_(cameras);
+  if (fits == model_->calibration_fits) return;
+  LineModel changed = *model_;
+  changed.calibration_fits = fits;
+  model_ = std::make_shared<const LineModel>(std::move(changed));
+  line_.swap_model(model_);
+}
+
+}  // namespace tripoint

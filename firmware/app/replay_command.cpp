@@ -1,0 +1,112 @@
+#include "app/replay_command.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "app/detector_settings.h"
+#include "app/exit_code.h"
+#include "app/unit_setup.h"
+#include "app/verdict_json.h"
+#include "calibration/calibration.h"
+#include "capture/mjpeg_decoder.h"
+#include "capture/repeat_check.h"
+#include "config/config.h"
+#include "config/target_file.h"
+#include "line/detect/led_detector.h"
+#include "line/line.h"
+#include "recording/recording_reader.h"
+
+namespace tripoint {
+namespace {
+
+struct Replay {
+  Config config;
+  LineModel model;
+};
+
+/// Limits and volume of a configuration, or the defaults without a volume.
+Result<Replay> prepared(const ReplayOptions& options) {
+  Replay replay;
+  if (!options.config.empty()) {
+    Result<Config> config = load_config(options.config, {});
+    if (!config) return tl::make_unexpected(config.error());
+    replay.config = std::move(*config);
+  }
+  replay.config.output.frame =
+      options.frame == "left_camera" ? ConfiguredFrame::kLeftCamera : ConfiguredFrame::kReference;
+  const Result<Calibration> calibration = load_calibration(options.calibration);
+  if (!calibration) return tl::make_unexpected(calibration.error());
+  const Result<TargetFile> target =
+      options.target.empty() ? Result<TargetFile>(single_led()) : load_target(options.target);
+  if (!target) return tl::make_unexpected(target.error());
+  Result<LineModel> model = line_model(*calibration, *target, replay.config);
+  if (!model) return tl::make_unexpected(model.error());
+  replay.model = std::move(*model);
+  if (options.config.empty()) replay.model.volume.reset();
+  return replay;
+}
+
+/// Turns rows of a recording into the events that the camera threads would have sent.
+class EventMaker {
+ public:
+  explicit EventMaker(const LedDetectorSettings& settings) : detector_(settings) {}
+
+  Result<Event> event(const RecordedItem& item) {
+    if (const auto* lost = std::get_if<CameraLost>(&item)) return Event{*lost};
+    if (const auto* back = std::get_if<CameraBack>(&item)) return Event{*back};
+    return observed(std::get<Frame>(item)).map([](const Observation& seen) { return Event{seen}; });
+  }
+
+ private:
+  Result<Observation> observed(const Frame& frame) {
+    const bool packed = frame.format == PixelFormat::kMjpeg;
+    const Result<Picture> picture =
+        packed ? decoder_.decode(frame.data, frame.size) : Result<Picture>(picture_of(frame));
+    if (!picture) return tl::make_unexpected(picture.error());
+    const Detection found = detector_.detect(*picture, Forecast{});
+    Observation seen;
+    seen.side = frame.side;
+    seen.frame = frame.sequence;
+    seen.exposed = frame.exposed;
+    seen.arrived = frame.arrived;
+    seen.line_time = frame.line_time;
+    seen.points = found.points;
+    seen.health = found.health;
+    seen.health.identical = repeats_[frame.side].repeats(frame.data);
+    return seen;
+  }
+
+  LedDetector detector_;
+  MjpegDecoder decoder_;
+  PerSide<RepeatCheck> repeats_;
+};
+
+}  // namespace
+
+int replay_command(const ReplayOptions& options) {
+  Result<Replay> replay = prepared(options);
+  if (!replay) return report(replay.error());
+  Result<RecordingReader> reader = RecordingReader::open(options.folder);
+  if (!reader) return report(reader.error());
+
+  const OutputFrame frame =
+      options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
+  Line line(std::make_shared<const LineModel>(replay->model));
+  EventMaker events(led_detector_settings(replay->config.detector));
+  while (const std::optional<Result<RecordedItem>> item = reader->next()) {
+    const Result<Event> event = item->and_then([&](const RecordedItem& row) { return events.event(row); });
+    if (!event) {
+      fmt::print(stderr, "tripointd: {}\n", event.error().message);  // as a camera's thread: note it and go on
+      continue;
+    }
+    if (const std::optional<Measurement> verdict = line.step(*event)) {
+      fmt::print("{}\n", verdict_json(*verdict, frame));
+    }
+  }
+  return number(ExitCode::kWell);
+}
+
+}  // namespace tripoint

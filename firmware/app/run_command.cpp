@@ -1,0 +1,62 @@
+#include "app/run_command.h"
+
+#include <fmt/core.h>
+#include <pthread.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <csignal>
+
+#include "app/composition.h"
+#include "app/exit_code.h"
+#include "app/unit_setup.h"
+#include "app/version.h"
+#include "config/config.h"
+
+namespace tripoint {
+namespace {
+
+sigset_t stop_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
+void wait_for_stop_signal() {
+  const sigset_t signals = stop_signals();
+  int received = 0;
+  sigwait(&signals, &received);
+}
+
+void log_to_stderr() {
+  spdlog::set_default_logger(spdlog::stderr_logger_mt("tripointd"));
+  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+  spdlog::flush_on(spdlog::level::info);
+}
+
+}  // namespace
+
+int run_command(const std::filesystem::path& config_file, const std::vector<std::string>& overrides) {
+  const sigset_t signals = stop_signals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread exists, so that only this one takes them
+  const Result<Config> config = load_config(config_file, overrides);
+  if (!config) return report(config.error());
+  log_to_stderr();
+  spdlog::info("tripointd {} with {}", version_text(), config_file.string());
+  const Result<void> ran = run_unit(*config, wait_for_stop_signal);
+  return ran ? number(ExitCode::kWell) : report(ran.error());
+}
+
+int check_config_command(const std::filesystem::path& config_file, const std::vector<std::string>& overrides) {
+  const Result<Config> config = load_config(config_file, overrides);
+  if (!config) return report(config.error());
+  const Result<UnitSetup> setup = unit_setup(*config);
+  if (!setup) return report(setup.error());
+  fmt::print("{}: valid; setup {}, {}\n", config_file.string(), setup->constants.identity.setup,
+             setup->calibration ? "calibrated" : "no calibration: nothing will be measured");
+  return number(ExitCode::kWell);
+}
+
+}  // namespace tripoint

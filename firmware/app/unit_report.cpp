@@ -1,0 +1,90 @@
+#include "app/unit_report.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace tripoint {
+namespace {
+
+template <typename Unsigned>
+Unsigned clipped(std::uint64_t value) {
+  return static_cast<Unsigned>(std::min<std::uint64_t>(value, std::numeric_limits<Unsigned>::max()));
+}
+
+double microseconds(Duration duration) { return std::chrono::duration<double, std::micro>(duration).count(); }
+
+/// A camera that was never there is missing; one that is not there any more as well.
+registers::CameraState camera_state(const CameraStatus& camera) {
+  if (camera.delivering) return registers::CameraState::kDelivering;
+  return camera.losses == 0 ? registers::CameraState::kStarting : registers::CameraState::kMissing;
+}
+
+}  // namespace
+
+UnitReport::UnitReport(UnitConstants constants, TimePoint started)
+    : constants_(std::move(constants)), started_(started) {}
+
+void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock) {
+  if (measurement.common_time) ++heartbeat_;
+  if (measurement.pose) pose_since_start_ = true;
+  newest_ = PublishedMeasurement{.measurement = measurement,
+                                 .utc_offset = clock.utc_offset(),
+                                 .oldest_exposed = measurement.oldest_exposed};
+  if (arrived && measurement.common_time) latency_.add(clock.now() - *arrived);
+}
+
+UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& clock) const {
+  UnitState state;
+  state.identity = constants_.identity;
+  state.limits = constants_.limits;
+  state.flags.calibrated = constants_.calibrated;
+  state.flags.ready = constants_.calibrated && cameras.left.delivering && cameras.right.delivering;
+  state.flags.verified = constants_.verified;
+  state.flags.simulated = constants_.simulated;
+  state.flags.clock_synchronised = clock.synchronised();
+  state.state = activity(cameras);
+  state.started = started_;
+  state.heartbeat = heartbeat_;
+  if (!constants_.calibrated) state.faults.insert(Fault::kNoCalibration);
+  if (camera_state(cameras.left) == registers::CameraState::kMissing) state.faults.insert(Fault::kLeftCameraLost);
+  if (camera_state(cameras.right) == registers::CameraState::kMissing) state.faults.insert(Fault::kRightCameraLost);
+  if (!constants_.unique_serials) state.warnings.insert(Warning::kNoUniqueSerial);
+  state.newest = newest_;
+  state.pose_since_start = pose_since_start_;
+  for (const Side side : kBothSides) state.cameras[side] = stats(side, cameras[side]);
+  if (latency_.quantile(0.5) > Duration{0}) {
+    state.health.latency_p50_us = microseconds(latency_.quantile(0.5));
+    state.health.latency_p99_us = microseconds(latency_.quantile(0.99));
+  }
+  return state;
+}
+
+registers::State UnitReport::activity(const PerSide<CameraStatus>& cameras) const {
+  if (!constants_.calibrated) return registers::State::kNoCalibration;
+  for (const Side side : kBothSides) {
+    if (camera_state(cameras[side]) == registers::CameraState::kMissing) return registers::State::kCameraFault;
+  }
+  if (!newest_) return registers::State::kStarting;
+  return newest_->measurement.pose ? registers::State::kMeasuring : registers::State::kSearching;
+}
+
+CameraStats UnitReport::stats(Side side, const CameraStatus& camera) const {
+  CameraStats stats;
+  stats.state = camera_state(camera);
+  stats.frames_per_second = camera.rate_hz;
+  if (camera.info.exposure > Duration{0}) stats.exposure_us = microseconds(camera.info.exposure);
+  stats.gain = camera.info.gain;
+  stats.dropped = clipped<std::uint32_t>(camera.dropped);
+  stats.resets = clipped<std::uint16_t>(camera.losses);
+  if (newest_) {
+    const ImageHealth& health = newest_->measurement.health[side];
+    stats.spots = newest_->measurement.spots[side];
+    stats.spot_peak = health.peak_luma;
+    stats.image_mean = health.mean_luma;
+    stats.focus_per_px = health.focus;
+  }
+  return stats;
+}
+
+}  // namespace tripoint

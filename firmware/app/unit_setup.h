@@ -1,0 +1,38 @@
+// From configuration, calibration and target to what the line and the registers need to know.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "app/measuring.h"
+#include "app/unit_report.h"
+#include "calibration/calibration.h"
+#include "config/config.h"
+#include "config/target_file.h"
+#include "line/model.h"
+#include "values/result.h"
+
+namespace tripoint {
+
+struct UnitSetup {
+  std::shared_ptr<const LineModel> model;  ///< null: no calibration is configured; shared with the line
+  std::optional<Calibration> calibration;
+  UnitConstants constants;
+};
+
+/// Loads the files that the configuration names and checks that they belong together.
+///
+/// @return the error of the file that is missing or wrong; kMismatch when the target needs another detector
+Result<UnitSetup> unit_setup(const Config& config);
+
+/// The model of the line for a calibration and a target, with the limits and the volume of a configuration.
+///
+/// @return kMismatch when the target is not made of LEDs
+Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config);
+
+/// Whether the cameras that deliver are those of the calibration: serial (or, without one, port) and picture size.
+/// A camera that does not deliver is not judged.
+CalibrationFits fits_calibration(const std::optional<Calibration>& calibration);
+
+}  // namespace tripoint
