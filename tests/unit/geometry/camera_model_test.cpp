@@ -109,6 +109,14 @@ TEST(CameraModelTest, APixelBeyondTheFoldOfTheDistortionIsAnError) {
   EXPECT_EQ(outside.error().code, ErrorCode::kNoConvergence);
 }
 
+TEST(CameraModelTest, NoPixelFarBeyondTheFoldIsTakenForTheMirrorImageOfADirection) {
+  // r - 0.3 r^3 reaches every radius again at negative r, on the far side of the centre.
+  const CameraModel camera = with_distortion({-0.3, 0.0, 0.0, 0.0, 0.0});
+  for (double radius = 0.71; radius < 20.0; radius *= 1.05) {
+    EXPECT_FALSE(undistorted(camera, {320.0 + 600.0 * radius, 240.0}).has_value()) << radius;
+  }
+}
+
 TEST(CameraModelTest, APixelJustInsideTheFoldHasItsDirection) {
   const CameraModel camera = with_distortion({-0.3, 0.0, 0.0, 0.0, 0.0});
   const auto inside = undistorted(camera, distorted(camera, {1.045, 0.0}));
