@@ -16,7 +16,7 @@ from host_tool.appliance.unit import wait_until_answering
 from host_tool.clock import MonotonicClock
 
 REPOSITORY = Path(__file__).parents[2]
-CONFIG = REPOSITORY / "deploy/demo/demo.toml"
+CONFIG = Path(os.environ.get("TRIPOINT_CONFIG", REPOSITORY / "deploy/demo/demo.toml"))
 START_S = 20.0  # rendering starts, also on a busy machine
 STOP_S = 1.0  # the promise
 TIMEOUT_S = 2.0
