@@ -40,6 +40,12 @@ inline constexpr std::array<std::string_view, 20> kDropCauseNames{
 
 constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
 
+/// A whole pixel of the picture.
+struct PixelPlace {
+  int u_px = 0;
+  int v_px = 0;
+};
+
 /// What was measured at one place, as far as the gates let it come; later fields stay 0.
 struct Candidate {
   DropCause cause = DropCause::kKept;
@@ -60,7 +66,7 @@ struct Candidate {
   float amplitude = 0.0F;  ///< luma steps, of the brightest visible pixel
   float residual = 0.0F;   ///< of the amplitude
   float misfit = 0.0F;     ///< what of the residual the noise of the surroundings does not explain, of the amplitude
-  int clipped_pixels = 0;
+  int hidden_pixels = 0;   ///< clipped, and left out of the fit
 };
 
 /// Room for every candidate and for a second look beside each accepted one.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "line/detect/falloff.h"
+
 namespace tripoint {
 namespace {
 
@@ -24,42 +26,6 @@ std::array<int, 3> half_windows(int width_px) {
   if (width_px > 1000) return {8, 20, 40};
   if (width_px > 400) return {8, 15, 28};
   return {8, 15, 20};
-}
-
-int rough_strength(const Picture& picture, int u_px, int v_px) {
-  const int chroma_row = picture.chroma_rows_halved ? v_px / 2 : v_px;
-  return 3 * picture.luma.at(u_px, v_px) + 4 * picture.v.at(u_px / 2, chroma_row);
-}
-
-bool in_picture(const Picture& picture, int u_px, int v_px) {
-  return u_px >= 0 && v_px >= 0 && u_px < picture.size.width_px && v_px < picture.size.height_px;
-}
-
-int brightest_near(const Picture& picture, PixelPlace start) {
-  int brightest = 0;
-  for (int dv = -2; dv <= 2; ++dv) {
-    for (int du = -2; du <= 2; ++du) {
-      const int u = start.u_px + du;
-      const int v = start.v_px + dv;
-      if (in_picture(picture, u, v)) brightest = std::max(brightest, rough_strength(picture, u, v));
-    }
-  }
-  return brightest;
-}
-
-/// A spot: at one of the radii at least 6 of 8 directions are below the level.
-bool falls_below(const Picture& picture, PixelPlace start, int level) {
-  constexpr std::array<int, 4> kRadii{4, 8, 16, 30};
-  constexpr std::array<std::array<int, 2>, 8> kDirections{
-      {{10, 0}, {7, 7}, {0, 10}, {-7, 7}, {-10, 0}, {-7, -7}, {0, -10}, {7, -7}}};
-  return std::any_of(kRadii.begin(), kRadii.end(), [&](int radius) {
-    const auto low = std::count_if(kDirections.begin(), kDirections.end(), [&](const std::array<int, 2>& d) {
-      const int u = start.u_px + d[0] * radius / 10;
-      const int v = start.v_px + d[1] * radius / 10;
-      return !in_picture(picture, u, v) || rough_strength(picture, u, v) < level;
-    });
-    return low >= 6;
-  });
 }
 
 /// Two merged spots, or one of which half is hidden, have their centre about sqrt(long^2 - short^2) beside a LED's.
@@ -193,19 +159,32 @@ void Inspector::fill_fit_window(Channel channel) {
   const int bottom = std::min(window_.rows() - 1, center_row + reach);
   fit_window_.resize(right - fit_left_ + 1, bottom - fit_top_ + 1);
   const double reach2 = (reach + 0.5) * (reach + 0.5);
-  seen_.clipped_pixels = 0;
+  seen_.hidden_pixels = 0;
   peak_luma_ = 0;
   for (int row = fit_top_; row <= bottom; ++row) {
     for (int column = fit_left_; column <= right; ++column) {
       const double d2 = (column - area_.column) * (column - area_.column) + (row - area_.row) * (row - area_.row);
       const std::size_t i = SpotWindow::index(column, row);
       if (d2 > reach2 || window_.outside(i)) continue;
-      const bool clipped = window_.strength(i) >= settings_.clip || window_.luma(i) >= settings_.luma_clip;
-      seen_.clipped_pixels += clipped ? 1 : 0;
+      seen_.hidden_pixels += hidden(i) ? 1 : 0;
       peak_luma_ = std::max(peak_luma_, window_.luma(i));
       const float value = channel == Channel::kLuma ? static_cast<float>(window_.luma(i))
                                                     : 0.25F * static_cast<float>(window_.strength(i));
-      fit_window_.set(column - fit_left_, row - fit_top_, value, clipped ? 0.0F : 1.0F);
+      fit_window_.set(column - fit_left_, row - fit_top_, value, 1.0F);
+    }
+  }
+  if (seen_.hidden_pixels > 0) hide_clipped();
+}
+
+bool Inspector::hidden(std::size_t i) const {
+  return window_.strength(i) >= settings_.hide_above || window_.luma(i) >= settings_.luma_clip;
+}
+
+/// Demosaicing carries a clipped value into the neighbours: they are hidden too.
+void Inspector::hide_clipped() {
+  for (int row = 0; row < fit_window_.rows(); ++row) {
+    for (int column = 0; column < fit_window_.columns(); ++column) {
+      if (hidden(SpotWindow::index(fit_left_ + column, fit_top_ + row))) fit_window_.hide_around(column, row);
     }
   }
 }
@@ -287,7 +266,7 @@ void Inspector::make_point(const SpotFit& spot, Channel channel) {
                       .amplitude = spot.visible_amplitude,
                       .sigma_px = spot.model.sigma_px,
                       .peak = static_cast<double>(peak_luma_),
-                      .saturated = seen_.clipped_pixels > 0,
+                      .saturated = seen_.peak >= static_cast<float>(settings_.clip),
                       .weak = by_strength};
 }
 

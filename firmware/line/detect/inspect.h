@@ -15,12 +15,6 @@
 
 namespace tripoint {
 
-/// A whole pixel of the picture.
-struct PixelPlace {
-  int u_px = 0;
-  int v_px = 0;
-};
-
 struct Inspection {
   Candidate candidate;
   std::optional<ImagePoint> point;  ///< when kept
@@ -47,6 +41,8 @@ class Inspector {
   bool spread_alone(int background);
   void show_surround(const Picture& picture);
   void fill_fit_window(Channel channel);
+  [[nodiscard]] bool hidden(std::size_t i) const;
+  void hide_clipped();
   std::optional<SpotFit> fit_channel(Channel channel);
   [[nodiscard]] double share_of_radius(const SpotFit& spot) const;
   [[nodiscard]] double distance_from_area_px(const SpotFit& spot) const;

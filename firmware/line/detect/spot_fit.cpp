@@ -154,6 +154,14 @@ void FitWindow::resize(int columns, int rows) {
   std::fill_n(weights_.begin(), rows * kMaxSide, 0.0F);
 }
 
+void FitWindow::hide_around(int column, int row) {
+  weights_[index(column, row)] = 0.0F;
+  if (column > 0) weights_[index(column - 1, row)] = 0.0F;
+  if (column + 1 < columns_) weights_[index(column + 1, row)] = 0.0F;
+  if (row > 0) weights_[index(column, row - 1)] = 0.0F;
+  if (row + 1 < rows_) weights_[index(column, row + 1)] = 0.0F;
+}
+
 SpotModel threshold_subtracted_start(const FitWindow& window, double background) {
   float peak = 0.0F;
   for (int row = 0; row < window.rows(); ++row) {

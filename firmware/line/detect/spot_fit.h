@@ -21,6 +21,9 @@ class FitWindow {
     weights_[index(column, row)] = weight;
   }
 
+  /// Takes the weight from a pixel and its four neighbours.
+  void hide_around(int column, int row);
+
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] float value(int column, int row) const { return values_[index(column, row)]; }

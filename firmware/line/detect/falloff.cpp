@@ -1,0 +1,46 @@
+#include "line/detect/falloff.h"
+
+#include <algorithm>
+#include <array>
+
+namespace tripoint {
+namespace {
+
+int rough_strength(const Picture& picture, int u_px, int v_px) {
+  const int chroma_row = picture.chroma_rows_halved ? v_px / 2 : v_px;
+  return 3 * picture.luma.at(u_px, v_px) + 4 * picture.v.at(u_px / 2, chroma_row);
+}
+
+bool in_picture(const Picture& picture, int u_px, int v_px) {
+  return u_px >= 0 && v_px >= 0 && u_px < picture.size.width_px && v_px < picture.size.height_px;
+}
+
+}  // namespace
+
+int brightest_near(const Picture& picture, PixelPlace start) {
+  int brightest = 0;
+  for (int dv = -2; dv <= 2; ++dv) {
+    for (int du = -2; du <= 2; ++du) {
+      const int u = start.u_px + du;
+      const int v = start.v_px + dv;
+      if (in_picture(picture, u, v)) brightest = std::max(brightest, rough_strength(picture, u, v));
+    }
+  }
+  return brightest;
+}
+
+bool falls_below(const Picture& picture, PixelPlace start, int level) {
+  constexpr std::array<int, 4> kRadii{4, 8, 16, 30};
+  constexpr std::array<std::array<int, 2>, 8> kDirections{
+      {{10, 0}, {7, 7}, {0, 10}, {-7, 7}, {-10, 0}, {-7, -7}, {0, -10}, {7, -7}}};
+  return std::any_of(kRadii.begin(), kRadii.end(), [&](int radius) {
+    const auto low = std::count_if(kDirections.begin(), kDirections.end(), [&](const std::array<int, 2>& d) {
+      const int u = start.u_px + d[0] * radius / 10;
+      const int v = start.v_px + d[1] * radius / 10;
+      return !in_picture(picture, u, v) || rough_strength(picture, u, v) < level;
+    });
+    return low >= 6;
+  });
+}
+
+}  // namespace tripoint
