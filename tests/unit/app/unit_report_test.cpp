@@ -1,0 +1,119 @@
+#include "app/unit_report.h"
+
+#include <gtest/gtest.h>
+
+namespace tripoint {
+namespace {
+
+class HeldClock final : public Clock {
+ public:
+  [[nodiscard]] TimePoint now() const override { return now_; }
+  [[nodiscard]] Duration utc_offset() const override { return std::chrono::hours(1); }
+  [[nodiscard]] bool synchronised() const override { return true; }
+  void set(TimePoint now) { now_ = now; }
+
+ private:
+  TimePoint now_ = time_from_ns(1'000'000'000);
+};
+
+UnitConstants calibrated_unit() {
+  UnitConstants constants;
+  constants.calibrated = true;
+  constants.simulated = false;
+  return constants;
+}
+
+CameraStatus delivering() {
+  CameraStatus camera;
+  camera.delivering = true;
+  return camera;
+}
+
+CameraStatus lost() {
+  CameraStatus camera;
+  camera.losses = 1;
+  return camera;
+}
+
+Measurement with_pose() {
+  Measurement measurement;
+  measurement.common_time = true;
+  measurement.pose = TargetPose{};
+  return measurement;
+}
+
+TEST(UnitReportTest, IsReadyOnlyWithACalibrationAndBothCameras) {
+  const HeldClock clock;
+  const UnitReport calibrated(calibrated_unit(), clock.now());
+  EXPECT_TRUE(calibrated.state({delivering(), delivering()}, clock).flags.ready);
+  EXPECT_FALSE(calibrated.state({delivering(), lost()}, clock).flags.ready);
+  const UnitReport uncalibrated(UnitConstants{}, clock.now());
+  EXPECT_FALSE(uncalibrated.state({delivering(), delivering()}, clock).flags.ready);
+}
+
+TEST(UnitReportTest, NamesTheCameraThatIsLost) {
+  const HeldClock clock;
+  const UnitReport report(calibrated_unit(), clock.now());
+  const UnitState state = report.state({delivering(), lost()}, clock);
+  EXPECT_EQ(state.faults, Faults{Fault::kRightCameraLost});
+  EXPECT_EQ(state.state, registers::State::kCameraFault);
+}
+
+TEST(UnitReportTest, ACameraNotYetTriedIsStartingAndNotLost) {
+  const HeldClock clock;
+  const UnitReport report(calibrated_unit(), clock.now());
+  const UnitState state = report.state({CameraStatus{}, CameraStatus{}}, clock);
+  EXPECT_TRUE(state.faults.empty());
+  EXPECT_EQ(state.state, registers::State::kStarting);
+  EXPECT_EQ(state.cameras.left.state, registers::CameraState::kStarting);
+}
+
+TEST(UnitReportTest, WithoutACalibrationSaysSo) {
+  const HeldClock clock;
+  const UnitReport report(UnitConstants{}, clock.now());
+  const UnitState state = report.state({delivering(), delivering()}, clock);
+  EXPECT_EQ(state.state, registers::State::kNoCalibration);
+  EXPECT_TRUE(state.faults.contains(Fault::kNoCalibration));
+}
+
+TEST(UnitReportTest, TheHeartBeatsForCommonTimesOnly) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  report.take(with_pose(), std::nullopt, clock);
+  Measurement camera_change;
+  report.take(camera_change, std::nullopt, clock);
+  EXPECT_EQ(report.state({delivering(), delivering()}, clock).heartbeat, 1);
+}
+
+TEST(UnitReportTest, AVerdictWithoutAPoseIsSearching) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  report.take(with_pose(), std::nullopt, clock);
+  EXPECT_EQ(report.state({delivering(), delivering()}, clock).state, registers::State::kMeasuring);
+  Measurement empty;
+  empty.common_time = true;
+  report.take(empty, std::nullopt, clock);
+  const UnitState state = report.state({delivering(), delivering()}, clock);
+  EXPECT_EQ(state.state, registers::State::kSearching);
+  EXPECT_TRUE(state.pose_since_start);
+}
+
+TEST(UnitReportTest, LatencyRunsFromTheArrivalOfThePicture) {
+  HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  const TimePoint arrived = clock.now();
+  clock.set(arrived + std::chrono::microseconds(250));
+  report.take(with_pose(), arrived, clock);
+  EXPECT_EQ(report.state({delivering(), delivering()}, clock).health.latency_p50_us, 250.0);
+}
+
+TEST(UnitReportTest, ACameraBoundByItsPortIsWarnedAbout) {
+  const HeldClock clock;
+  UnitConstants constants = calibrated_unit();
+  constants.unique_serials = false;
+  const UnitReport report(constants, clock.now());
+  EXPECT_TRUE(report.state({}, clock).warnings.contains(Warning::kNoUniqueSerial));
+}
+
+}  // namespace
+}  // namespace tripoint

@@ -1,0 +1,82 @@
+#include "app/unit_setup.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tripoint {
+namespace {
+
+const std::filesystem::path kDemo = std::filesystem::path(TRIPOINT_FIRMWARE_DIR) / "../deploy/demo";
+
+Result<UnitSetup> demo_setup(const std::vector<std::string>& overrides = {}) {
+  return load_config(kDemo / "demo.toml", overrides).and_then(unit_setup);
+}
+
+CameraStatus camera(const std::string& serial, ImageSize size = {640, 480}) {
+  CameraStatus status;
+  status.delivering = true;
+  status.info.serial = serial;
+  status.info.size = size;
+  return status;
+}
+
+TEST(UnitSetupTest, TheDemoIsACalibratedSimulation) {
+  const Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_TRUE(setup->constants.calibrated);
+  EXPECT_TRUE(setup->constants.simulated);
+  EXPECT_NE(setup->constants.identity.setup, 0);
+  EXPECT_NE(setup->constants.identity.calibration_id, 0U);
+  ASSERT_NE(setup->model, nullptr);
+  EXPECT_EQ(setup->model->target.points.size(), 1U);
+}
+
+TEST(UnitSetupTest, WithoutACalibrationFileThereIsNoModel) {
+  const Result<UnitSetup> setup = demo_setup({"calibration.file="});
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->model, nullptr);
+  EXPECT_FALSE(setup->constants.calibrated);
+  EXPECT_EQ(setup->constants.identity.calibration_id, 0U);
+}
+
+TEST(UnitSetupTest, AMissingCalibrationFileIsNamed) {
+  const Result<UnitSetup> setup = demo_setup({"calibration.file=nowhere.toml"});
+  ASSERT_FALSE(setup);
+  EXPECT_NE(setup.error().message.find("nowhere.toml"), std::string::npos);
+}
+
+TEST(UnitSetupTest, TheSetupChangesWithWhatAPoseMeansAndWithNothingElse) {
+  const std::uint16_t setup = demo_setup()->constants.identity.setup;
+  EXPECT_NE(demo_setup({"output.frame=left_camera"})->constants.identity.setup, setup);
+  EXPECT_NE(demo_setup({"timing.offset_prior_ms=5"})->constants.identity.setup, setup);
+  EXPECT_NE(demo_setup({"calibration.file="})->constants.identity.setup, setup);
+  EXPECT_EQ(demo_setup({"modbus.port=1503"})->constants.identity.setup, setup);
+}
+
+TEST(UnitSetupTest, TheLeftCameraFrameTurnsPointsIntoIt) {
+  const Result<UnitSetup> setup = demo_setup({"output.frame=left_camera"});
+  ASSERT_TRUE(setup);
+  const Isometry3& output_from_rig = setup->model->output_from_rig;
+  EXPECT_TRUE(output_from_rig.isApprox(setup->model->rig.camera_from_rig.left));
+}
+
+TEST(FitsCalibrationTest, AnotherSerialOrSizeDoesNotFit) {
+  const Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup);
+  const CalibrationFits fits = fits_calibration(setup->calibration);
+  EXPECT_TRUE(fits({camera("SIM-LEFT"), camera("SIM-RIGHT")}));
+  EXPECT_FALSE(fits({camera("SIM-RIGHT"), camera("SIM-LEFT")}));
+  EXPECT_FALSE(fits({camera("SIM-LEFT"), camera("SIM-RIGHT", {320, 240})}));
+}
+
+TEST(FitsCalibrationTest, ACameraThatDoesNotDeliverIsNotJudged) {
+  const Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup);
+  EXPECT_TRUE(fits_calibration(setup->calibration)({CameraStatus{}, camera("SIM-RIGHT")}));
+}
+
+}  // namespace
+}  // namespace tripoint
