@@ -21,7 +21,7 @@ from host_tool.watching.session import Scene
 from host_tool.watching.truth import Comparison
 
 BARS = "▁▂▃▄▅▆▇█"
-HISTORY = 60  # columns of the sparkline
+HISTORY = 50  # columns of the sparkline; with its name and maximum it fits the panel
 REDRAW_S = 0.1
 
 
