@@ -18,13 +18,13 @@ bool in_picture(const Picture& picture, int u_px, int v_px) {
 }  // namespace
 
 int brightest_near(const Picture& picture, PixelPlace start) {
+  constexpr int kReach = 2;
+  const int left = std::max(start.u_px - kReach, 0);
+  const int right = std::min(start.u_px + kReach, picture.size.width_px - 1);
+  const int bottom = std::min(start.v_px + kReach, picture.size.height_px - 1);
   int brightest = 0;
-  for (int dv = -2; dv <= 2; ++dv) {
-    for (int du = -2; du <= 2; ++du) {
-      const int u = start.u_px + du;
-      const int v = start.v_px + dv;
-      if (in_picture(picture, u, v)) brightest = std::max(brightest, rough_strength(picture, u, v));
-    }
+  for (int v = std::max(start.v_px - kReach, 0); v <= bottom; ++v) {
+    for (int u = left; u <= right; ++u) brightest = std::max(brightest, rough_strength(picture, u, v));
   }
   return brightest;
 }

@@ -9,14 +9,14 @@
 namespace tripoint {
 namespace {
 
-constexpr std::array<double, 3> kLevels{0.5, 0.7,
-                                        0.85};  ///< of the contrast: a spot beside another stands alone higher up
-constexpr double kAloneAspect = 1.82;           ///< longer than this, the next level is tried
-constexpr double kSplitLevel = 0.6;             ///< above it only the top of the spot stood alone
-constexpr double kLargestLumaShare = 1.15;      ///< the spot may not be wider in Y than in S
-constexpr double kSameCenter = 0.2;             ///< px, and of the radius: Y's centre against the area's
-constexpr double kRoundAspect = 1.2;            ///< up to it an ellipse is taken for one LED seen from the side
-constexpr double kUsualMisfit = 0.03;           ///< of the amplitude: tone curve and halo
+/// Of the contrast: a spot beside another stands alone higher up.
+constexpr std::array<double, 3> kLevels{0.5, 0.7, 0.85};
+constexpr double kAloneAspect = 1.82;       ///< longer than this, the next level is tried
+constexpr double kSplitLevel = 0.6;         ///< above it only the top of the spot stood alone
+constexpr double kLargestLumaShare = 1.15;  ///< the spot may not be wider in Y than in S
+constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's centre against the area's
+constexpr double kRoundAspect = 1.2;        ///< up to it an ellipse is taken for one LED seen from the side
+constexpr double kUsualMisfit = 0.05;       ///< of the amplitude: tone curve, halo and mosaic
 constexpr double kDoubtOfMisfit = 3.0;  ///< px of error for each px of sigma and misfit: rendered hidden and near spots
 constexpr double kPixelGrain_px2 = 0.45;  ///< long^2 - short^2 of a block of 3 by 2 pixels
 constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly hidden
@@ -226,6 +226,7 @@ DropCause Inspector::fit(const Picture& picture) {
   }
   if (!spot) return DropCause::kFitFailed;
   note_fit(*spot, channel);
+  if (channel == Channel::kStrength && spot->visible_amplitude < settings_.min_amplitude) return DropCause::kWeak;
   const DropCause cause = check_fit(*spot, picture);
   if (cause == DropCause::kKept) make_point(*spot, channel);
   return cause;

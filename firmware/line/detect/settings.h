@@ -7,7 +7,7 @@ namespace tripoint {
 /// hole because the core is clipped. Candidates are judged on S and measured on Y.
 ///
 /// Source of the defaults: rendered stereo scenes with lamps, skin, orange and red objects; tuned on one range of
-/// seeds and scored on another (docs/decisions).
+/// seeds and scored on another.
 struct LedDetectorSettings {
   // Selection on the coarse map of V.
   int min_red = 139;         ///< of V: 11 above grey
