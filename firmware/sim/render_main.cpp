@@ -1,5 +1,6 @@
 // tripoint-render: one period of a simulated motion as a recording folder, for tests and for cameras made of files.
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kWell = 0;
 constexpr int kUsage = 2;
+constexpr int kOurFault = 70;
 
 struct Options {
   int frames = 0;
@@ -57,11 +59,12 @@ Result<void> render_recording(const Options& options) {
   });
 }
 
-}  // namespace
-}  // namespace tripoint
+void complain(const std::string& message) {
+  static_cast<void>(std::fprintf(stderr, "tripoint-render: %s\n", message.c_str()));
+}
 
-int main(int argc, char** argv) {
-  tripoint::Options options;
+int run(int argc, char** argv) {
+  Options options;
   CLI::App app("Renders one period of a simulated motion, seen by two cameras, as a recording folder with its truth");
   app.add_option("--frames", options.frames, "frames of each camera; they share the period out evenly")
       ->required()
@@ -81,10 +84,22 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? tripoint::kWell : tripoint::kUsage;
+    return app.exit(error) == 0 ? kWell : kUsage;
   }
-  const tripoint::Result<void> done = tripoint::render_recording(options);
-  if (done) return tripoint::kWell;
-  std::fprintf(stderr, "tripoint-render: %s\n", done.error().message.c_str());
-  return tripoint::kUsage;
+  const Result<void> done = render_recording(options);
+  if (done) return kWell;
+  complain(done.error().message);
+  return kUsage;
+}
+
+}  // namespace
+}  // namespace tripoint
+
+int main(int argc, char** argv) {
+  try {
+    return tripoint::run(argc, argv);
+  } catch (const std::exception& error) {
+    tripoint::complain(error.what());
+    return tripoint::kOurFault;
+  }
 }
