@@ -26,6 +26,14 @@ bool whole(const Frame& frame) {
   return frame.stride_bytes >= width * bytes_of_pixel && frame.data.size() >= frame.stride_bytes * height;
 }
 
+/// Messages of a camera begin with its name and so with its side; others get it here.
+std::string about_side(Side side, std::string_view message) {
+  const std::string camera = fmt::format("camera {}", name(side));
+  if (message.starts_with(camera)) return std::string(message);
+  if (message.starts_with(name(side))) return fmt::format("camera {}", message);
+  return fmt::format("{}: {}", camera, message);
+}
+
 }  // namespace
 
 void pause_until_stop(Duration duration, const std::stop_token& stop) {
@@ -128,7 +136,7 @@ void CameraWorker::report_loss(const Error& error) {
 }
 
 void CameraWorker::note(const Error& error) {
-  status_.last_error = fmt::format("camera {}: {}", name(side_), error.message);
+  status_.last_error = about_side(side_, error.message);
   links_.status.put(status_);
 }
 

@@ -71,10 +71,16 @@ TEST(CameraLossTest, FiveDamagedFramesInARowAreALoss) {
   EXPECT_EQ(bench.count<CameraLost>(), 1U);
 }
 
-TEST(CameraLossTest, TheLastErrorNamesTheSideAndTheCause) {
-  WorkerBench bench({kGone, Script{ScriptedFrame{1, 1}}});
+std::string last_error(const std::string& message) {
+  WorkerBench bench({Error{ErrorCode::kDeviceMissing, message}, Script{ScriptedFrame{1, 1}}});
   bench.run();
-  EXPECT_EQ(bench.status().last_error, "camera left: unplugged");
+  return bench.status().last_error;
+}
+
+TEST(CameraLossTest, TheLastErrorNamesTheSideOnceAndTheCause) {
+  EXPECT_EQ(last_error("unplugged"), "camera left: unplugged");
+  EXPECT_EQ(last_error("left (usb 1-1): unplugged"), "camera left (usb 1-1): unplugged");
+  EXPECT_EQ(last_error("camera left: no camera with port 1-1"), "camera left: no camera with port 1-1");
 }
 
 TEST(CameraLossTest, TheEndOfARecordingEndsTheWorker) {
