@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from host_tool.contract.blocks import Identity, Pose
 from host_tool.errors import UsageError
 from host_tool.trajectories.paths import Path
-from host_tool.watching.follow import SILENCE_S, Sighting, follow, missed_between
+from host_tool.watching.follow import POLL_S, SILENCE_S, Sighting, follow, missed_between
 from host_tool.watching.session import Course, scenes
 from host_tool.watching.speed import Speedometer
 from host_tool.watching.tally import Tally
@@ -27,13 +27,13 @@ def seen(poses: list[Pose], seconds: float) -> list[Sighting]:
 
 
 def test_every_verdict_is_seen_once() -> None:
-    sightings = seen(poses_numbered(5, 5, 6, 6, 6, 7), seconds=0.055)
+    sightings = seen(poses_numbered(5, 5, 6, 6, 6, 7), seconds=5.5 * POLL_S)
     assert [sighting.answer.pose.sequence for sighting in sightings] == [5, 6, 7]
     assert all(sighting.fresh and sighting.missed == 0 for sighting in sightings)
 
 
 def test_verdicts_between_two_reads_are_counted_as_missed() -> None:
-    assert [sighting.missed for sighting in seen(poses_numbered(5, 8, 9), seconds=0.025)] == [0, 2, 0]
+    assert [sighting.missed for sighting in seen(poses_numbered(5, 8, 9), seconds=2.5 * POLL_S)] == [0, 2, 0]
 
 
 def test_silence_is_shown_again_and_again_as_nothing_new() -> None:
@@ -124,5 +124,5 @@ def test_what_was_missed_before_counting_began_is_not_counted() -> None:
 def test_the_figures_begin_after_settling() -> None:
     unit = StagedUnit(poses_numbered(*range(1000)))
     *_, last = scenes(unit, StagedClock(), Course(ORIGIN, settle_s=1.0, seconds=2.0))
-    assert last.summary.verdicts == pytest.approx(100, abs=1)  # 1 s at 100 Hz; one more or less by rounding
+    assert last.summary.verdicts == pytest.approx(1.0 / POLL_S, abs=2)  # 1 s; one more or less at each end by rounding
     assert last.summary.inside_share == 1.0
