@@ -1,6 +1,7 @@
 """The whole way: pictures with a known truth, USB, the stock driver, V4L2, tripointd, Modbus."""
 # ruff: noqa: PT009 (unittest: the virtual machine brings the standard library only)
 
+import subprocess
 import time
 import unittest
 from typing import ClassVar
@@ -23,6 +24,12 @@ ROUNDING_MM = 0.001
 UNCERTAINTY_LIMIT_MM = 0.75
 LOST = {"left": LEFT_LOST, "right": RIGHT_LOST}
 STANDSTILL_S = 3.0  # for a heart that beats even ten times slower than the cameras
+
+
+def held_by_driver(side: str) -> str:
+    """What a second program reads while the first one streams."""
+    command = ["v4l2-ctl", "-d", node_of(side) or "", "--get-ctrl=exposure_time_absolute,gain"]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60, check=True).stdout
 
 
 class Line(unittest.TestCase):
@@ -149,6 +156,7 @@ class Line(unittest.TestCase):
                 self.assertEqual(held["exposure_priority"], 0, "the rate must not follow the light")
                 self.assertEqual((held["white_balance_auto"], held["focus_auto"]), (0, 0))
                 self.assertEqual((held["exposure_time"], held["gain"]), (20, 33), "2000 us; gain 33")
+                self.assertEqual(held_by_driver(side), "exposure_time_absolute: 20\ngain: 33\n")
 
 
 class YuyvTest(Line):

@@ -30,6 +30,7 @@ class Camera {
  private:
   void power_up();
   void serve(const Socket& host, const std::stop_token& stop);
+  void fall_silent(const Socket& host, const std::stop_token& stop);
   [[nodiscard]] std::chrono::nanoseconds wait_time(Time now) const;
   [[nodiscard]] bool handle(const Socket& host, const Request& request);
   [[nodiscard]] bool stream(const Socket& host, Time now);
