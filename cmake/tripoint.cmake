@@ -52,6 +52,7 @@ function(tripoint_test room)
   endif()
   add_executable(test_${room} ${ARG_SOURCES})
   target_link_libraries(test_${room} PRIVATE ${ARG_LINKS} GTest::gmock GTest::gtest_main tripoint_flags)
+  target_compile_options(test_${room} PRIVATE -O1)  # what is tested stays as it is built; its tests need no -O3
   target_compile_definitions(test_${room} PRIVATE TRIPOINT_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests"
                              TRIPOINT_FIRMWARE_DIR="${PROJECT_SOURCE_DIR}/firmware")
   gtest_discover_tests(test_${room} TEST_PREFIX "${room}." PROPERTIES TIMEOUT 120 DISCOVERY_TIMEOUT 60)

@@ -42,8 +42,9 @@ Trajectory trajectory_of(Scenario scenario) {
 
 Result<SimulationSettings> simulation_settings(const Config& config) {
   const SimulationConfig& wanted = config.simulation;
-  const Result<Trajectory> trajectory = wanted.trajectory_file.empty() ? Result<Trajectory>(trajectory_of(wanted.scenario))
-                                                                       : load_trajectory(wanted.trajectory_file);
+  const Result<Trajectory> trajectory = wanted.trajectory_file.empty()
+                                            ? Result<Trajectory>(trajectory_of(wanted.scenario))
+                                            : load_trajectory(wanted.trajectory_file);
   if (!trajectory) return tl::make_unexpected(trajectory.error());
   SimulationSettings settings;
   settings.trajectory = *trajectory;
@@ -78,10 +79,8 @@ Result<PerSide<OpenCamera>> simulated_cameras(const Config& config, const Clock&
 }
 
 Result<PerSide<OpenCamera>> recorded_cameras(const Config& config, const Clock& clock) {
-  const Playback playback{.clock = clock,
-                          .wait_until = sleeping_by(clock),
-                          .start = clock.now(),
-                          .paced = config.recording.paced};
+  const Playback playback{
+      .clock = clock, .wait_until = sleeping_by(clock), .start = clock.now(), .paced = config.recording.paced};
   PerSide<OpenCamera> cameras;
   for (const Side side : kBothSides) {
     Result<OpenCamera> opener = RecordedCamera::opener(config.recording.folder, side, playback);

@@ -27,7 +27,8 @@ constexpr std::size_t kQueuedEvents = 16;  // a quarter of a second of both came
 constexpr int kModbusPriority = 50;        // below the kernel's own interrupt threads
 
 DetectPoints led_detection(const DetectorConfig& config) {
-  const auto detector = std::make_shared<LedDetector>(led_detector_settings(config));  // shared: std::function must be copyable
+  const auto detector =
+      std::make_shared<LedDetector>(led_detector_settings(config));  // shared: std::function must be copyable
   return [detector](const Picture& picture, const Forecast& forecast) {
     const Detection found = detector->detect(picture, forecast);
     Observation observation;
@@ -78,9 +79,10 @@ struct Unit {
 CameraWorker camera_worker(Unit& unit, Side side, const Config& config, OpenCamera open) {
   CameraLimits limits;
   limits.frame = config.cameras.loss_after;
-  return {side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector)},
-          CameraLinks{.events = unit.events, .forecast = unit.forecast, .status = unit.cameras[side], .clock = unit.clock},
-          limits};
+  return {
+      side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector)},
+      CameraLinks{.events = unit.events, .forecast = unit.forecast, .status = unit.cameras[side], .clock = unit.clock},
+      limits};
 }
 
 }  // namespace
@@ -96,8 +98,7 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   Unit unit(report.state({}, started_by));
   Result<PerSide<OpenCamera>> cameras = camera_supply(config, unit.clock);
   if (!cameras) return tl::make_unexpected(cameras.error());
-  Result<ModbusServer> server =
-      ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
+  Result<ModbusServer> server = ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
   if (!server) return tl::make_unexpected(server.error());
   spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(), setup->constants.identity.setup);
 

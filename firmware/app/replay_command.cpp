@@ -92,8 +92,7 @@ int replay_command(const ReplayOptions& options) {
   Result<RecordingReader> reader = RecordingReader::open(options.folder);
   if (!reader) return report(reader.error());
 
-  const OutputFrame frame =
-      options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
+  const OutputFrame frame = options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
   Line line(std::make_shared<const LineModel>(replay->model));
   EventMaker events(led_detector_settings(replay->config.detector));
   while (const std::optional<Result<RecordedItem>> item = reader->next()) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace tripoint {
 namespace {
@@ -22,15 +21,13 @@ registers::CameraState camera_state(const CameraStatus& camera) {
 
 }  // namespace
 
-UnitReport::UnitReport(UnitConstants constants, TimePoint started)
-    : constants_(std::move(constants)), started_(started) {}
+UnitReport::UnitReport(const UnitConstants& constants, TimePoint started) : constants_(constants), started_(started) {}
 
 void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock) {
   if (measurement.common_time) ++heartbeat_;
   if (measurement.pose) pose_since_start_ = true;
-  newest_ = PublishedMeasurement{.measurement = measurement,
-                                 .utc_offset = clock.utc_offset(),
-                                 .oldest_exposed = measurement.oldest_exposed};
+  newest_ = PublishedMeasurement{
+      .measurement = measurement, .utc_offset = clock.utc_offset(), .oldest_exposed = measurement.oldest_exposed};
   if (arrived && measurement.common_time) latency_.add(clock.now() - *arrived);
 }
 

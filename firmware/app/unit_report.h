@@ -21,15 +21,15 @@ struct UnitConstants {
   UnitIdentity identity;
   OutputLimits limits;
   bool calibrated = false;
-  bool verified = false;         ///< the calibration, by a length
-  bool simulated = true;         ///< simulation or recording
-  bool unique_serials = true;    ///< false: a camera without a serial number is bound by its port
+  bool verified = false;       ///< the calibration, by a length
+  bool simulated = true;       ///< simulation or recording
+  bool unique_serials = true;  ///< false: a camera without a serial number is bound by its port
 };
 
 /// Turns verdicts into the state that is published. Used by the measuring thread alone.
 class UnitReport {
  public:
-  UnitReport(UnitConstants constants, TimePoint started);
+  UnitReport(const UnitConstants& constants, TimePoint started);
 
   /// A verdict of the line; `arrived` is when the last byte of the picture that brought it was there.
   void take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock);

@@ -27,7 +27,8 @@ Limits limits_of(const Config& config) {
 
 Result<Target> points_of(const TargetFile& file) {
   if (file.kind != TargetKind::kLed) {
-    return failure(ErrorCode::kMismatch, "the target is made of AprilTags, but detector.kind is \"led\": use a LED target");
+    return failure(ErrorCode::kMismatch,
+                   "the target is made of AprilTags, but detector.kind is \"led\": use a LED target");
   }
   Target target;
   for (const TargetFilePoint& point : file.points) {
@@ -77,8 +78,7 @@ Result<LineModel> line_model(const Calibration& calibration, const TargetFile& t
     model.target = *points;
     model.limits = limits_of(config);
     model.volume = WorkingVolume{config.volume.min_mm, config.volume.max_mm};
-    model.method =
-        config.output.method == ConfiguredMethod::kPaper ? Method::kPaper : Method::kMaximumLikelihood;
+    model.method = config.output.method == ConfiguredMethod::kPaper ? Method::kPaper : Method::kMaximumLikelihood;
     if (config.output.frame == ConfiguredFrame::kLeftCamera) model.output_from_rig = rig.camera_from_rig.left;
     return model;
   });

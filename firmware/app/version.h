@@ -6,9 +6,8 @@
 
 namespace tripoint {
 
-inline constexpr FirmwareVersion kVersion{.major = TRIPOINT_VERSION_MAJOR,
-                                          .minor = TRIPOINT_VERSION_MINOR,
-                                          .patch = TRIPOINT_VERSION_PATCH};
+inline constexpr FirmwareVersion kVersion{
+    .major = TRIPOINT_VERSION_MAJOR, .minor = TRIPOINT_VERSION_MINOR, .patch = TRIPOINT_VERSION_PATCH};
 
 std::string version_text();
 DeviceIdentification device_identification();

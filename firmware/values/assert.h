@@ -7,7 +7,7 @@
 namespace tripoint {
 
 [[noreturn]] inline void assertion_failed(const char* condition, const char* file, int line) {
-  std::fprintf(stderr, "tripoint: bug: %s is false at %s:%d\n", condition, file, line);
+  static_cast<void>(std::fprintf(stderr, "tripoint: bug: %s is false at %s:%d\n", condition, file, line));
   std::abort();
 }
 

@@ -44,12 +44,12 @@ class FixedVector {
     TRIPOINT_ASSERT(i < size_);
     return values_[i];
   }
-  constexpr T& back() { return (*this)[size_ - 1]; }
-  constexpr const T& back() const { return (*this)[size_ - 1]; }
-  constexpr T* begin() { return values_.data(); }
-  constexpr T* end() { return values_.data() + size_; }
-  constexpr const T* begin() const { return values_.data(); }
-  constexpr const T* end() const { return values_.data() + size_; }
+  [[nodiscard]] constexpr T& back() { return (*this)[size_ - 1]; }
+  [[nodiscard]] constexpr const T& back() const { return (*this)[size_ - 1]; }
+  [[nodiscard]] constexpr T* begin() { return values_.data(); }
+  [[nodiscard]] constexpr T* end() { return values_.data() + size_; }
+  [[nodiscard]] constexpr const T* begin() const { return values_.data(); }
+  [[nodiscard]] constexpr const T* end() const { return values_.data() + size_; }
 
  private:
   std::array<T, N> values_{};

@@ -1,0 +1,106 @@
+// The whole unit with all its threads on simulated cameras; what each part does is tested in its room.
+#include "app/composition.h"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+namespace tripoint {
+namespace {
+
+constexpr auto kPatience = std::chrono::seconds(60);  // far beyond what a sanitizer on a busy machine needs
+
+sockaddr_in loopback(std::uint16_t port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+/// A TCP socket that closes itself.
+class Socket {
+ public:
+  Socket() : fd_(::socket(AF_INET, SOCK_STREAM, 0)) {}
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket() { ::close(fd_); }
+
+  [[nodiscard]] int fd() const { return fd_; }
+  bool connect(std::uint16_t port) const {
+    const sockaddr_in address = loopback(port);
+    return ::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  std::uint16_t listen() const {
+    sockaddr_in address = loopback(0);
+    ::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+    ::listen(fd_, 1);
+    socklen_t length = sizeof address;
+    ::getsockname(fd_, reinterpret_cast<sockaddr*>(&address), &length);
+    return ntohs(address.sin_port);
+  }
+
+ private:
+  int fd_;
+};
+
+/// Registers 32 and 33, heartbeat and status, by FC 4.
+std::optional<std::array<std::uint16_t, 2>> heartbeat_and_status(std::uint16_t port) {
+  const Socket socket;
+  if (!socket.connect(port)) return std::nullopt;
+  const std::array<std::uint8_t, 12> request{0, 1, 0, 0, 0, 6, 1, 4, 0, 32, 0, 2};
+  std::array<std::uint8_t, 13> answer{};
+  if (::send(socket.fd(), request.data(), request.size(), 0) != static_cast<ssize_t>(request.size())) return {};
+  if (::recv(socket.fd(), answer.data(), answer.size(), MSG_WAITALL) != static_cast<ssize_t>(answer.size())) return {};
+  const auto word = [&](std::size_t at) { return static_cast<std::uint16_t>(answer[at] << 8U | answer[at + 1]); };
+  return std::array<std::uint16_t, 2>{word(9), word(11)};
+}
+
+Config demo_config(std::uint16_t port) {
+  const std::filesystem::path demo = std::filesystem::path(TRIPOINT_FIRMWARE_DIR) / "../deploy/demo/demo.toml";
+  Config config = load_config(demo, {}).value();
+  config.modbus.port = port;
+  config.cameras.loss_after = std::chrono::seconds(5);  // a sanitizer makes the renderer slow
+  return config;
+}
+
+TEST(CompositionTest, TheWholeUnitMeasuresAndAnswers) {
+  std::uint16_t port = 0;
+  {
+    const Socket probe;
+    port = probe.listen();
+  }
+  bool valid = false;
+  const Result<void> ran = run_unit(demo_config(port), [&] {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (!valid && std::chrono::steady_clock::now() < deadline) {
+      const auto read = heartbeat_and_status(port);
+      valid = read && (*read)[0] > 0 && ((*read)[1] & 0x0004U) != 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  EXPECT_TRUE(ran);
+  EXPECT_TRUE(valid);
+}
+
+TEST(CompositionTest, APortInUseIsAnErrorBeforeAnythingRuns) {
+  const Socket taken;
+  const std::uint16_t port = taken.listen();
+  bool ran = false;
+  const Result<void> result = run_unit(demo_config(port), [&] { ran = true; });
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kAddressInUse);
+  EXPECT_FALSE(ran);
+}
+
+}  // namespace
+}  // namespace tripoint
