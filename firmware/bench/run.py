@@ -56,7 +56,8 @@ def free_port() -> int:
 @contextmanager
 def running_unit(tripointd: Path, port: int) -> Iterator[subprocess.Popen[bytes]]:
     """tripointd on two simulated 640x480 cameras, both processors busy with rendering and measuring."""
-    command = [tripointd, "run", "--config", TOP / "deploy/demo/demo.toml", "--set", f"modbus.port={port}"]
+    configuration = TOP / "deploy/demo/demo.toml"
+    command = [str(tripointd), "run", "--config", str(configuration), "--set", f"modbus.port={port}"]
     unit = subprocess.Popen(command, stderr=subprocess.DEVNULL)
     try:
         yield unit
@@ -106,9 +107,7 @@ def table(figures: list[dict[str, Any]]) -> str:
     rows = [f"{'figure':36} {'value':>12} {'unit':6} {'goal':>10}"]
     for figure in figures:
         mark = "" if figure["reached"] else "  not reached"
-        rows.append(
-            f"{figure['name']:36} {figure['value']:12.4g} {figure['unit']:6} {figure['goal'] or '':>10}{mark}"
-        )
+        rows.append(f"{figure['name']:36} {figure['value']:12.4g} {figure['unit']:6} {figure['goal'] or '':>10}{mark}")
     return "\n".join(rows)
 
 

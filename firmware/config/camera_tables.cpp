@@ -80,7 +80,6 @@ DetectorConfig detector_from(TableReader table, ConfiguredFormat format) {
   d.kind = table.choice<ConfiguredDetector>("kind", {{"led", ConfiguredDetector::kLed}}, d.kind);
   d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
   d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
-  d.max_spots = integer(table, "max_spots", {1, 48}, d.max_spots);
   if (format == ConfiguredFormat::kGrey && d.kind == ConfiguredDetector::kLed) {
     table.refuse("kind",
                  "red LEDs cannot be told from other lights without colour; permitted for led is cameras.format "
@@ -103,7 +102,6 @@ SimulationConfig simulation_from(TableReader table, const std::filesystem::path&
   s.stamp_jitter_us = table.number("stamp_jitter_us", {0.0, 20'000.0}, s.stamp_jitter_us);
   s.clock_drift_ppm = table.number("clock_drift_ppm", {-1000.0, 1000.0}, s.clock_drift_ppm);
   s.right_phase_ms = table.number("right_phase_ms", {0.0, 1000.0}, s.right_phase_ms);
-  s.calibration_error = table.truth("calibration_error", s.calibration_error);
   table.finish();
   return s;
 }

@@ -54,7 +54,6 @@ struct DetectorConfig {
   ConfiguredDetector kind = ConfiguredDetector::kLed;
   int min_peak = 850;
   int min_contrast = 45;
-  int max_spots = 12;
 };
 
 /// The working volume in the output frame.
@@ -93,7 +92,6 @@ struct SimulationConfig {
   double stamp_jitter_us = 0.0;
   double clock_drift_ppm = 0.0;
   double right_phase_ms = 0.0;     ///< how much later the right camera exposes
-  bool calibration_error = false;  ///< measure with a calibration that errs as a real one does
 };
 
 struct Config {

@@ -108,7 +108,7 @@ struct Measurement {
   std::uint64_t sequence = 0;
   TimePoint exposed{};
   TimePoint oldest_exposed{};  ///< of the pictures that took part; earlier than `exposed` where one was interpolated
-  bool common_time = false;  ///< a new common time of both cameras was brought to a verdict: the heart beats
+  bool common_time = false;    ///< a new common time of both cameras was brought to a verdict: the heart beats
   Faults faults;
   Warnings warnings;
   Timing timing;

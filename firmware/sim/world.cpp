@@ -17,8 +17,8 @@ bool is_size(ImageSize size) {
   return fits(size.width_px) && fits(size.height_px);
 }
 
-/// The name of the first setting that no camera has, or "".
-std::string wrong_setting(const SimulationSettings& settings) {
+/// What is wrong with size, rate, exposure or line time, or "".
+std::string wrong_timing(const SimulationSettings& settings) {
   const ImageSize size = settings.rig.cameras.left.size;
   if (!is_size(size) || !(size == settings.rig.cameras.right.size)) return "size: must be multiples of 16, both equal";
   if (!(settings.rate_hz > 0.0 && settings.rate_hz <= 1000.0)) return "rate_hz: must be above 0, up to 1000";
@@ -28,6 +28,12 @@ std::string wrong_setting(const SimulationSettings& settings) {
   if (settings.line_time < Duration::zero() || seconds(settings.line_time) * size.height_px * settings.rate_hz > 1.0) {
     return "line_time: must be 0 up to the frame period over the height";
   }
+  return {};
+}
+
+/// The name of the first setting that no camera has, or "".
+std::string wrong_setting(const SimulationSettings& settings) {
+  if (std::string timing = wrong_timing(settings); !timing.empty()) return timing;
   if (settings.mjpeg_quality < 1 || settings.mjpeg_quality > 100) return "mjpeg_quality: must be 1 to 100";
   if (!(settings.sensor.read_noise >= 0.0 && settings.sensor.read_noise <= 1.0)) return "read_noise: must be 0 to 1";
   if (!(settings.sensor.full_well_electrons >= 1.0)) return "full_well_electrons: must be at least 1";

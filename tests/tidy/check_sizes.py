@@ -47,7 +47,7 @@ def _of_file(file: Path) -> list[str]:
 
 def main() -> int:
     found = violations(Path(argument) for argument in sys.argv[1:])
-    print("\n".join(found) if found else "sizes: every file and function is within its limit")
+    print("\n".join(found) if found else "every file and function is within its limit")
     return 1 if found else 0
 
 

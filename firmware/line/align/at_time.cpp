@@ -11,6 +11,12 @@ constexpr double kUsualSpeed_px_per_s = 500.0;  // standard deviation of an unkn
 
 constexpr double kBendTurns = 0.5;  // part of a bend that the next frame period may turn sideways
 
+/// A time, and the standard deviation with which it is known in this camera.
+struct Moment {
+  TimePoint time{};
+  double offset_sigma_s = 0.0;
+};
+
 /// A point in one of the pictures, and the same one further back.
 struct Sample {
   std::size_t back = 0;
@@ -61,8 +67,8 @@ AlignedPoint exact(const Track& track, const StampClock& clock, const Sample& sa
 }
 
 AlignedPoint between(const Track& track, const StampClock& clock, const Sample& early, const Sample& late,
-                     TimePoint time, double offset_sigma_s) {
-  const double share = seconds(time - early.at) / seconds(late.at - early.at);
+                     const Moment& moment) {
+  const double share = seconds(moment.time - early.at) / seconds(late.at - early.at);
   const ImagePoint& before = track.picture(early.back).points[early.index];
   AlignedPoint point{track.picture(late.back).points[late.index], Vec2::Zero(), Matrix2::Zero()};
   const Vec2 place = (1.0 - share) * early.place_px + share * late.place_px;
@@ -72,7 +78,8 @@ AlignedPoint between(const Track& track, const StampClock& clock, const Sample& 
   point.seen.saturated = point.seen.saturated || before.saturated;
   point.seen.weak = point.seen.weak || before.weak;
   point.velocity_px_per_s = (late.place_px - early.place_px) / seconds(late.at - early.at);
-  point.timing_px2 = timing_of(point.velocity_px_per_s, offset_sigma_s) + bend_px2(track, clock, early, late, share);
+  point.timing_px2 =
+      timing_of(point.velocity_px_per_s, moment.offset_sigma_s) + bend_px2(track, clock, early, late, share);
   return point;
 }
 
@@ -92,18 +99,17 @@ struct PointAtTime {
   Faults faults;  // why there is none; empty when it simply was not there yet
 };
 
-PointAtTime point_at_time(const Track& track, const StampClock& clock, Sample late, TimePoint time,
-                          double offset_sigma_s) {
-  while (late.at - time > kExact) {
+PointAtTime point_at_time(const Track& track, const StampClock& clock, Sample late, const Moment& moment) {
+  while (late.at - moment.time > kExact) {
     const std::optional<Sample> early = sample_before(track, clock, late);
     if (!early) return {std::nullopt, why_alone(track, clock, late)};
-    if (early->at <= time && early->at < late.at) {
+    if (early->at <= moment.time && early->at < late.at) {
       if (late.at - early->at > kLongestGap) return {std::nullopt, {Fault::kTimingBound}};
-      return {between(track, clock, *early, late, time, offset_sigma_s), {}};
+      return {between(track, clock, *early, late, moment), {}};
     }
     late = *early;
   }
-  return {exact(track, clock, late, offset_sigma_s), {}};
+  return {exact(track, clock, late, moment.offset_sigma_s), {}};
 }
 
 /// The oldest picture that is not before `time`.
@@ -140,7 +146,7 @@ PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoi
   found.oldest_exposed = oldest_exposed(track, clock, time, back);
   for (std::size_t i = 0; i < found.spots; ++i) {
     const Sample late = sample_of(track, clock, back, i);
-    const PointAtTime one = point_at_time(track, clock, late, time, offset_sigma_s);
+    const PointAtTime one = point_at_time(track, clock, late, {time, offset_sigma_s});
     found.faults.insert(one.faults);
     if (one.point) found.points.push_back(*one.point);
   }

@@ -58,26 +58,21 @@ TEST(DetectorConfigTest, LedsOnGreyAreAnErrorThatSaysWhy) {
 }
 
 TEST(DetectorConfigTest, TheLimitsOfADetectorAreRanges) {
-  EXPECT_EQ(
-      config_with({"detector.min_peak=900", "detector.min_contrast=50", "detector.max_spots=48"})->detector.min_peak,
-      900);
-  EXPECT_THAT(message_with({"detector.max_spots=49"}), HasSubstr("from 1 to 48"));
+  EXPECT_EQ(config_with({"detector.min_peak=900", "detector.min_contrast=50"})->detector.min_peak, 900);
   EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\""));
 }
 
 TEST(SimulationConfigTest, EveryKeyIsRead) {
-  const SimulationConfig s =
-      config_with({"simulation.scenario=scout", "simulation.trajectory_file=t.csv", "simulation.seed=7",
-                   "simulation.stamp_jitter_us=3000", "simulation.clock_drift_ppm=-50",
-                   "simulation.right_phase_ms=12.5", "simulation.calibration_error=true"})
-          ->simulation;
+  const SimulationConfig s = config_with({"simulation.scenario=scout", "simulation.trajectory_file=t.csv",
+                                          "simulation.seed=7", "simulation.stamp_jitter_us=3000",
+                                          "simulation.clock_drift_ppm=-50", "simulation.right_phase_ms=12.5"})
+                                 ->simulation;
   EXPECT_EQ(s.scenario, Scenario::kScout);
   EXPECT_EQ(s.trajectory_file, "/etc/tripoint/t.csv");
   EXPECT_EQ(s.seed, 7U);
   EXPECT_EQ(s.stamp_jitter_us, 3000.0);
   EXPECT_EQ(s.clock_drift_ppm, -50.0);
   EXPECT_EQ(s.right_phase_ms, 12.5);
-  EXPECT_TRUE(s.calibration_error);
 }
 
 TEST(SimulationConfigTest, AnUnknownScenarioListsTheShippedOnes) {

@@ -25,7 +25,6 @@ TEST(ConfigTest, TheSmallestConfigurationHasTheDocumentedDefaults) {
   EXPECT_EQ(c.cameras.loss_after, std::chrono::milliseconds{100});
   EXPECT_TRUE(c.calibration_file.empty());
   EXPECT_TRUE(c.target_file.empty());
-  EXPECT_EQ(c.detector.max_spots, 12);
   EXPECT_EQ(c.timing.offset_prior_ms, 10.0);
   EXPECT_EQ(c.timing.bound_mm, 1.0);
   EXPECT_EQ(c.output.frame, ConfiguredFrame::kReference);

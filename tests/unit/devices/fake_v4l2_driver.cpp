@@ -40,40 +40,24 @@ int FakeV4l2Driver::open(const std::filesystem::path& node) {
 int FakeV4l2Driver::control(int, unsigned long request, void* argument) {
   const auto failure = failures.find(request);
   if (failure != failures.end()) return failure->second;
-  switch (request) {
-    case VIDIOC_QUERYCAP:
-      return describe_capability(argument);
-    case VIDIOC_S_FMT:
-      return set_format(argument);
-    case VIDIOC_S_PARM:
-      return set_rate(argument);
-    case VIDIOC_ENUM_FMT:
-      return offer_format(argument);
-    case VIDIOC_ENUM_FRAMESIZES:
-      return offer_size(argument);
-    case VIDIOC_ENUM_FRAMEINTERVALS:
-      return offer_rate(argument);
-    case VIDIOC_QUERYCTRL:
-      return describe_control(argument);
-    case VIDIOC_S_CTRL:
-      return set_control(argument);
-    case VIDIOC_G_CTRL:
-      return read_control(argument);
-    case VIDIOC_REQBUFS:
-      return give_buffers(argument);
-    case VIDIOC_QUERYBUF:
-      return describe_buffer(argument);
-    case VIDIOC_QBUF:
-      return queue(argument);
-    case VIDIOC_DQBUF:
-      return dequeue(argument);
-    case VIDIOC_STREAMON:
-      return log.emplace_back("on"), 0;
-    case VIDIOC_STREAMOFF:
-      return log.emplace_back("off"), 0;
-    default:
-      return -ENOTTY;
-  }
+  static const std::map<unsigned long, int (FakeV4l2Driver::*)(void*)> answers{
+      {VIDIOC_QUERYCAP, &FakeV4l2Driver::describe_capability},
+      {VIDIOC_S_FMT, &FakeV4l2Driver::set_format},
+      {VIDIOC_S_PARM, &FakeV4l2Driver::set_rate},
+      {VIDIOC_ENUM_FMT, &FakeV4l2Driver::offer_format},
+      {VIDIOC_ENUM_FRAMESIZES, &FakeV4l2Driver::offer_size},
+      {VIDIOC_ENUM_FRAMEINTERVALS, &FakeV4l2Driver::offer_rate},
+      {VIDIOC_QUERYCTRL, &FakeV4l2Driver::describe_control},
+      {VIDIOC_S_CTRL, &FakeV4l2Driver::set_control},
+      {VIDIOC_G_CTRL, &FakeV4l2Driver::read_control},
+      {VIDIOC_REQBUFS, &FakeV4l2Driver::give_buffers},
+      {VIDIOC_QUERYBUF, &FakeV4l2Driver::describe_buffer},
+      {VIDIOC_QBUF, &FakeV4l2Driver::queue},
+      {VIDIOC_DQBUF, &FakeV4l2Driver::dequeue}};
+  if (request == VIDIOC_STREAMON) return log.emplace_back("on"), 0;
+  if (request == VIDIOC_STREAMOFF) return log.emplace_back("off"), 0;
+  const auto answer = answers.find(request);
+  return answer == answers.end() ? -ENOTTY : (this->*answer->second)(argument);
 }
 
 int FakeV4l2Driver::wait(int, Duration limit) {
@@ -94,13 +78,13 @@ void* FakeV4l2Driver::map(int, std::size_t length, std::int64_t) {
 
 std::uint32_t FakeV4l2Driver::image_bytes() const { return (width * 2 + padding_bytes) * height; }
 
-int FakeV4l2Driver::describe_capability(void* argument) const {
+int FakeV4l2Driver::describe_capability(void* argument) {
   as<v4l2_capability>(argument).capabilities = capabilities | V4L2_CAP_DEVICE_CAPS;
   as<v4l2_capability>(argument).device_caps = capabilities;
   return 0;
 }
 
-int FakeV4l2Driver::set_format(void* argument) const {
+int FakeV4l2Driver::set_format(void* argument) {
   v4l2_pix_format& pix = as<v4l2_format>(argument).fmt.pix;
   pix.width = width;
   pix.height = height;
@@ -110,32 +94,32 @@ int FakeV4l2Driver::set_format(void* argument) const {
   return 0;
 }
 
-int FakeV4l2Driver::set_rate(void* argument) const {
+int FakeV4l2Driver::set_rate(void* argument) {
   as<v4l2_streamparm>(argument).parm.capture.timeperframe = {rate_numerator, rate_denominator};
   return 0;
 }
 
-int FakeV4l2Driver::offer_format(void* argument) const {
+int FakeV4l2Driver::offer_format(void* argument) {
   auto& offer = as<v4l2_fmtdesc>(argument);
   offer.pixelformat = fourcc;
   return offer.index == 0 ? 0 : -EINVAL;
 }
 
-int FakeV4l2Driver::offer_size(void* argument) const {
+int FakeV4l2Driver::offer_size(void* argument) {
   auto& offer = as<v4l2_frmsizeenum>(argument);
   offer.type = V4L2_FRMSIZE_TYPE_DISCRETE;
   offer.discrete = {width, height};
   return offer.index == 0 ? 0 : -EINVAL;
 }
 
-int FakeV4l2Driver::offer_rate(void* argument) const {
+int FakeV4l2Driver::offer_rate(void* argument) {
   auto& offer = as<v4l2_frmivalenum>(argument);
   offer.type = V4L2_FRMIVAL_TYPE_DISCRETE;
   offer.discrete = {rate_numerator, rate_denominator};
   return offer.index == 0 ? 0 : -EINVAL;
 }
 
-int FakeV4l2Driver::describe_control(void* argument) const {
+int FakeV4l2Driver::describe_control(void* argument) {
   auto& description = as<v4l2_queryctrl>(argument);
   const auto found = controls.find(description.id);
   if (found == controls.end()) return -EINVAL;
@@ -152,18 +136,18 @@ int FakeV4l2Driver::set_control(void* argument) {
   return 0;
 }
 
-int FakeV4l2Driver::read_control(void* argument) const {
+int FakeV4l2Driver::read_control(void* argument) {
   auto& asked = as<v4l2_control>(argument);
   asked.value = controls.at(asked.id).value;
   return 0;
 }
 
-int FakeV4l2Driver::give_buffers(void* argument) const {
+int FakeV4l2Driver::give_buffers(void* argument) {
   as<v4l2_requestbuffers>(argument).count = buffers_given;
   return 0;
 }
 
-int FakeV4l2Driver::describe_buffer(void* argument) const {
+int FakeV4l2Driver::describe_buffer(void* argument) {
   as<v4l2_buffer>(argument).length = image_bytes();
   return 0;
 }

@@ -70,17 +70,17 @@ class FakeV4l2Driver final : public V4l2Driver {
   [[nodiscard]] std::size_t buffers_with_driver() const { return queued_.size(); }
 
  private:
-  int describe_capability(void* argument) const;
-  int set_format(void* argument) const;
-  int set_rate(void* argument) const;
-  int offer_format(void* argument) const;
-  int offer_size(void* argument) const;
-  int offer_rate(void* argument) const;
-  int describe_control(void* argument) const;
+  int describe_capability(void* argument);
+  int set_format(void* argument);
+  int set_rate(void* argument);
+  int offer_format(void* argument);
+  int offer_size(void* argument);
+  int offer_rate(void* argument);
+  int describe_control(void* argument);
   int set_control(void* argument);
-  int read_control(void* argument) const;
-  int give_buffers(void* argument) const;
-  int describe_buffer(void* argument) const;
+  int read_control(void* argument);
+  int give_buffers(void* argument);
+  int describe_buffer(void* argument);
   int queue(void* argument);
   int dequeue(void* argument);
   [[nodiscard]] std::uint32_t image_bytes() const;

@@ -1,68 +1,19 @@
-// The line does not allocate once it runs. This program stands in for malloc, in order to count.
-#include <atomic>
-#include <cerrno>
+// The line does not allocate once it runs.
 #include <cstdlib>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "counted_allocations.h"
 #include "line/line.h"
 #include "synthetic_cameras.h"
 #include "verdicts.h"
 
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kCounting = false;  // a sanitizer stands in for malloc itself
-#else
-constexpr bool kCounting = true;
-
-// What glibc calls its own functions; operator new and Eigen come here through malloc.
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT(bugprone-reserved-identifier)
-void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT(bugprone-reserved-identifier)
-void* __libc_realloc(void* memory, std::size_t size);            // NOLINT(bugprone-reserved-identifier)
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
-
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* memory, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(memory, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-  ++allocations;
-  *memory = __libc_memalign(alignment, size);
-  return *memory == nullptr ? ENOMEM : 0;
-}
-}
-#endif
-
 namespace tripoint {
 namespace {
 
+using testing::allocations_in;
 using testing::at_rest;
-
-template <typename Work>
-long allocations_in(const Work& work) {
-  const long before = allocations.load();
-  work();
-  return allocations.load() - before;
-}
 
 LineModel heavy_model() {
   LineModel model = testing::webcam_model();
@@ -95,7 +46,7 @@ testing::Shooting two_seconds() {
 class AllocationTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!kCounting) GTEST_SKIP() << "a sanitizer stands in for malloc: nothing can be counted";
+    if (!testing::allocations_are_counted()) GTEST_SKIP() << "a sanitizer stands in for malloc: nothing can be counted";
   }
 };
 

@@ -1,0 +1,65 @@
+// Pictures of other people, the way `tripointd detect` reads them: tags and boards show no red LED.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "capture/image_file.h"
+#include "line/detect/led_detector.h"
+
+namespace tripoint {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path shared_data() {
+  const char* given = std::getenv("TRIPOINT_SHARED");
+  return (given != nullptr ? fs::path(given) : fs::path(TRIPOINT_TESTS_DIR) / "../../shared") / "data";
+}
+
+bool is_picture(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".jpg" || ending == ".png";
+}
+
+void expect_nothing_in(const std::string& folder) {
+  const fs::path path = shared_data() / folder;
+  if (!fs::is_directory(path)) GTEST_SKIP() << "no such folder: " << path << "; set TRIPOINT_SHARED";
+  int pictures = 0;
+  LedDetector detector{LedDetectorSettings{}};
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (!is_picture(entry.path())) continue;
+    const Result<LoadedImage> image = LoadedImage::load(entry.path());
+    ASSERT_TRUE(image) << image.error().message;
+    ++pictures;
+    if (image->picture().v.data == nullptr) continue;  // grey
+    for (const ImagePoint& point : detector.detect(image->picture(), {}).points) {
+      ADD_FAILURE() << entry.path().filename() << ": a point at " << point.at.u_px << ", " << point.at.v_px;
+    }
+  }
+  EXPECT_GT(pictures, 0);
+}
+
+TEST(RealPicturesTest, NothingInSwarmathonTags) { expect_nothing_in("apriltag_swarmathon"); }
+TEST(RealPicturesTest, NothingInDuckietownTags) { expect_nothing_in("apriltag_duckietown"); }
+TEST(RealPicturesTest, NothingInAprilGrids) { expect_nothing_in("aprilgrid"); }
+TEST(RealPicturesTest, NothingInChessboards) { expect_nothing_in("stereo_opencv_chessboard"); }
+TEST(RealPicturesTest, NothingInCharucoBoards) { expect_nothing_in("charuco_mono_lifecam1280"); }
+
+TEST(RealPicturesTest, ExactlyTheRedSpotAmongRedThings) {
+  const fs::path path = shared_data() / "red_spot_scenes" / "4.jpg";
+  if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path << "; set TRIPOINT_SHARED";
+  const Result<LoadedImage> image = LoadedImage::load(path);
+  ASSERT_TRUE(image) << image.error().message;
+  LedDetectorSettings settings;
+  settings.min_emission = -0.1;  // a spot on a lit wall
+  const Detection detection = LedDetector(settings).detect(image->picture(), {});
+  ASSERT_EQ(detection.points.size(), 1U);
+  // Its place is known by inspection to a few pixels.
+  EXPECT_NEAR(detection.points[0].at.u_px, 1611.0, 4.0);
+  EXPECT_NEAR(detection.points[0].at.v_px, 1153.0, 4.0);
+}
+
+}  // namespace
+}  // namespace tripoint
