@@ -20,8 +20,8 @@ SETTLING_VERDICTS = 30
 UNCERTAINTIES = 2.5
 ROUNDING_MM = 0.001
 # At 480 mm, 100 mm between the cameras and f = 628 px, a pixel of disparity is 480^2 / (100 x 628) = 3.7 mm of depth.
-# 0.4 px (k = 2) is 0.14 px for each camera, nearly three times the fit of a spot, with room for what the unknown offset of
-# the clocks adds: a unit that publishes more guesses.
+# 0.4 px (k = 2) is 0.14 px for each camera, nearly three times the fit of a spot, with room for what the unknown
+# offset of the clocks adds: a unit that publishes more guesses.
 UNCERTAINTY_LIMIT_MM = 1.5
 LOST = {"left": LEFT_LOST, "right": RIGHT_LOST}
 STANDSTILL_S = 3.0  # for a heart that beats even ten times slower than the cameras
