@@ -25,6 +25,7 @@ build: setup ## build tripointd and host-tool into build/bin
 	@cmake --build build/release -j $(JOBS)
 	@ln -sfn ../release/bin/tripointd build/bin/tripointd
 	@ln -sfn ../release/bin/tripoint-render build/bin/tripoint-render
+	@ln -sfn ../release/bin/uvc_camera build/bin/uvc_camera
 
 .PHONY: demo
 demo: build ## watch a measured position follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself)

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/detector_settings.h"
 #include "app/exit_code.h"
 #include "capture/image_file.h"
 #include "line/detect/led_detector.h"
@@ -37,8 +38,10 @@ ordered_json detected(const std::filesystem::path& image, LedDetector& detector)
 
 }  // namespace
 
-int detect_command(const std::vector<std::filesystem::path>& images, const LedDetectorSettings& settings) {
-  LedDetector detector(settings);
+int detect_command(const std::vector<std::filesystem::path>& images, const std::filesystem::path& config) {
+  const Result<Config> loaded = config.empty() ? Result<Config>(Config{}) : load_config(config, {});
+  if (!loaded) return report(loaded.error());
+  LedDetector detector(led_detector_settings(loaded->detector));
   bool all_read = true;
   for (const std::filesystem::path& image : images) {
     const ordered_json line = detected(image, detector);

@@ -51,6 +51,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   CLI::App* detect = app.add_subcommand("detect", "print what the detector finds in pictures, one JSON line each");
   detect->add_option("images", arguments.images, "JPEG or PNG files")->required();
   detect->add_option("--detector", arguments.detector, "what to look for")->check(CLI::IsMember({"led"}));
+  detect->add_option("--config", arguments.config, "configuration file: its [detector]");
   detect->add_flag("--json", arguments.json, "JSON lines (the only format)");
 
   ReplayOptions& replay = arguments.replay;
@@ -70,7 +71,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("run")) return run_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("check-config")) return check_config_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("cameras")) return cameras_command(arguments.json);
-  if (app.got_subcommand("detect")) return detect_command(arguments.images, LedDetectorSettings{});
+  if (app.got_subcommand("detect")) return detect_command(arguments.images, arguments.config);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);
   fmt::print("tripointd {}\n", version_text());
   return number(ExitCode::kWell);

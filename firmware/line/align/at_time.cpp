@@ -43,15 +43,30 @@ Matrix2 timing_of(const std::optional<Vec2>& velocity_px_per_s, double offset_si
   return variance_s2 * kUsualSpeed_px_per_s * kUsualSpeed_px_per_s * Matrix2::Identity();
 }
 
-/// What a straight line leaves out at a share of the way from early to late: the bend seen over three pictures, which
-/// may turn until the next one.
+/// Acceleration over three pictures; nothing when they do not follow each other in time.
+std::optional<Vec2> acceleration_px_per_s2(const Sample& first, const Sample& second, const Sample& third) {
+  const double before_s = seconds(second.at - first.at);
+  const double after_s = seconds(third.at - second.at);
+  if (before_s <= 0.0 || after_s <= 0.0) return std::nullopt;
+  const Vec2 change = (third.place_px - second.place_px) / after_s - (second.place_px - first.place_px) / before_s;
+  return 2.0 / (before_s + after_s) * change;
+}
+
+/// What a straight line leaves out at a share of the way from early to late. A steady acceleration leaves out half of
+/// share (1 - share) of its bend, which may turn until the next picture. What has changed in the acceleration may be a
+/// corner between the two pictures, which leaves out up to share of that change: taken as two standard deviations.
 Matrix2 bend_px2(const Track& track, const StampClock& clock, const Sample& early, const Sample& late, double share) {
   const std::optional<Sample> first = sample_before(track, clock, early);
-  if (!first || first->at >= early.at) return Matrix2::Zero();
-  const double pace = seconds(late.at - early.at) / seconds(early.at - first->at);
-  const Vec2 bend = (late.place_px - early.place_px) - pace * (early.place_px - first->place_px);
-  const Vec2 missed = 0.5 * share * (1.0 - share) * bend;
-  return missed * missed.transpose() + kBendTurns * kBendTurns * missed.squaredNorm() * Matrix2::Identity();
+  const std::optional<Vec2> now = first ? acceleration_px_per_s2(*first, early, late) : std::nullopt;
+  if (!now) return Matrix2::Zero();
+  const std::optional<Sample> earlier = sample_before(track, clock, *first);
+  const Vec2 before = earlier ? acceleration_px_per_s2(*earlier, *first, early).value_or(Vec2::Zero()) : Vec2::Zero();
+  const double step_s = seconds(late.at - early.at);
+  const double turn_s = 0.5 * (step_s + seconds(early.at - first->at));  // acceleration times it: change of velocity
+  const Vec2 steady = 0.5 * share * (1.0 - share) * step_s * step_s * *now;
+  const Vec2 corner = 0.5 * share * step_s * turn_s * (*now - before);
+  return steady * steady.transpose() + kBendTurns * kBendTurns * steady.squaredNorm() * Matrix2::Identity() +
+         corner * corner.transpose();
 }
 
 AlignedPoint exact(const Track& track, const StampClock& clock, const Sample& sample, double offset_sigma_s) {

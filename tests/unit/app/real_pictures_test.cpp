@@ -47,19 +47,5 @@ TEST(RealPicturesTest, NothingInAprilGrids) { expect_nothing_in("aprilgrid"); }
 TEST(RealPicturesTest, NothingInChessboards) { expect_nothing_in("stereo_opencv_chessboard"); }
 TEST(RealPicturesTest, NothingInCharucoBoards) { expect_nothing_in("charuco_mono_lifecam1280"); }
 
-TEST(RealPicturesTest, ExactlyTheRedSpotAmongRedThings) {
-  const fs::path path = shared_data() / "red_spot_scenes" / "4.jpg";
-  if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path << "; set TRIPOINT_SHARED";
-  const Result<LoadedImage> image = LoadedImage::load(path);
-  ASSERT_TRUE(image) << image.error().message;
-  LedDetectorSettings settings;
-  settings.min_emission = -0.1;  // a spot on a lit wall
-  const Detection detection = LedDetector(settings).detect(image->picture(), {});
-  ASSERT_EQ(detection.points.size(), 1U);
-  // Its place is known by inspection to a few pixels.
-  EXPECT_NEAR(detection.points[0].at.u_px, 1611.0, 4.0);
-  EXPECT_NEAR(detection.points[0].at.v_px, 1153.0, 4.0);
-}
-
 }  // namespace
 }  // namespace tripoint

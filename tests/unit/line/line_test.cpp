@@ -1,5 +1,7 @@
 #include "line/line.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -49,6 +51,28 @@ TEST(LineTest, AMovingPointIsMeasuredAtThePublishedTimeDespiteFreeRunningCameras
   }
   // time.md, regressed stamps with the offset known to 0.1 ms: 0.68 mm along the baseline, the worst direction.
   EXPECT_LT(std::sqrt(squares / kRuns), 0.68);
+}
+
+TEST(LineTest, APathThatTurnsRoundAtOnceStaysWithinItsStatedUncertainty) {
+  const LineModel model = webcam_model();
+  const Path path = [](double time_s) {  // 50 mm along the baseline and back, for ever, 50 mm/s
+    const double phase = std::fmod(time_s, 2.0);
+    return Vec3(50.0 * std::min(phase, 2.0 - phase) - 25.0, 10.0, 400.0);
+  };
+  double worst_sigmas = 0.0;
+  double valid = 0.0;
+  constexpr int kRuns = 8;
+  for (std::uint32_t seed = 1; seed <= kRuns; ++seed) {
+    auto shooting = free_running();
+    shooting.seed = seed;
+    shooting.noise_px = 0.005;  // so that the corner is what counts
+    for (const Side side : kBothSides) shooting.timing[side].jitter_s = 0.0;
+    const Score found = score(verdicts(model, shot(model, {path}, shooting)), path, kWarm_s);
+    worst_sigmas = std::max(worst_sigmas, found.worst_sigmas);
+    valid += found.valid_share / kRuns;
+  }
+  EXPECT_LT(worst_sigmas, 3.0);  // two for the corner, one for the noise beside it
+  EXPECT_GT(valid, 0.9);         // some pictures around a corner are refused: fault 9
 }
 
 TEST(LineTest, AtThePapersSpeedTimeAddsNothing) {
