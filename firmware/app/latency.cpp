@@ -16,11 +16,9 @@ Duration LatencyWindow::quantile(double p) const {
   std::array<Duration, kSize> sorted = samples_;
   const auto rank = static_cast<std::size_t>(std::ceil(p * static_cast<double>(count_)));
   const std::size_t index = std::clamp<std::size_t>(rank, 1, count_) - 1;
-  const auto begin = sorted.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(count_);
-  const auto nth = begin + static_cast<std::ptrdiff_t>(index);
-  std::nth_element(begin, nth, end);
-  return *nth;
+  Duration* const first = sorted.data();
+  std::nth_element(first, first + index, first + count_);
+  return sorted[index];
 }
 
 }  // namespace tripoint

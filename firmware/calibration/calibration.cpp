@@ -59,7 +59,7 @@ Isometry3 pose_from(TableReader table) {
 
 std::optional<RigCovariance> covariance_from(TableReader& root) {
   if (!root.has("covariance")) return std::nullopt;
-  constexpr std::size_t kEntries = 24 * 24;
+  constexpr std::size_t kEntries = std::size_t{24} * 24;
   constexpr Permitted<double> kEntry{-1e12, 1e12};
   TableReader table = root.table("covariance");
   const std::vector<double> entries = table.numbers("matrix", kEntries, kEntry);

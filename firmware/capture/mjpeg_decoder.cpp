@@ -52,12 +52,12 @@ Layout layout_of(const jpeg_decompress_struct& header) {
   Layout layout;
   layout.size = {static_cast<int>(header.image_width), static_cast<int>(header.image_height)};
   layout.components = static_cast<std::size_t>(header.num_components);
-  const auto rows_of_units = static_cast<std::size_t>(header.max_v_samp_factor * DCTSIZE);
+  const auto rows_of_units = static_cast<std::size_t>(header.max_v_samp_factor) * DCTSIZE;
   const std::size_t units = (header.image_height + rows_of_units - 1) / rows_of_units;
   for (std::size_t c = 0; c < layout.components; ++c) {
     const jpeg_component_info& component = header.comp_info[c];
-    const auto per_unit = static_cast<std::size_t>(component.h_samp_factor * DCTSIZE);
-    const auto unit_width = static_cast<std::size_t>(header.max_h_samp_factor * DCTSIZE);
+    const auto per_unit = static_cast<std::size_t>(component.h_samp_factor) * DCTSIZE;
+    const auto unit_width = static_cast<std::size_t>(header.max_h_samp_factor) * DCTSIZE;
     layout.stride_bytes[c] = (header.image_width + unit_width - 1) / unit_width * per_unit;
     layout.rows[c] = units * static_cast<std::size_t>(component.v_samp_factor) * DCTSIZE;
   }

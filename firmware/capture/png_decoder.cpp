@@ -17,6 +17,7 @@ class PngReader {
  public:
   explicit PngReader(std::span<const std::uint8_t> png) {
     image_.version = PNG_IMAGE_VERSION;
+    // NOLINTNEXTLINE(cppcoreguidelines-prefer-member-initializer): the version must be set first
     opened_ = png_image_begin_read_from_memory(&image_, png.data(), png.size()) != 0;
   }
   PngReader(const PngReader&) = delete;

@@ -52,8 +52,9 @@ OutputConfig output_from(TableReader table) {
 ModbusConfig modbus_from(TableReader table) {
   ModbusConfig m;
   m.address = table.text("address", m.address);
-  if (!is_address(m.address))
-    table.refuse("address", "permitted is a numeric address, as \"127.0.0.1\" or \"0.0.0.0\"");
+  if (!is_address(m.address)) {
+    table.refuse("address", R"(permitted is a numeric address, as "127.0.0.1" or "0.0.0.0")");
+  }
   m.port = static_cast<std::uint16_t>(table.integer("port", {1, 65'535}, m.port));
   m.command_clients = clients_from(table, "command_clients");
   m.allowed_clients = clients_from(table, "allowed_clients");

@@ -37,7 +37,7 @@ std::optional<fs::path> usb_device_of(const fs::path& node_in_sys) {
   return std::nullopt;
 }
 
-std::string first_known(std::string text, const fs::path& otherwise) {
+std::string first_known(const std::string& text, const fs::path& otherwise) {
   return text.empty() ? attribute(otherwise) : text;
 }
 

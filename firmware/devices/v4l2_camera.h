@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "devices/v4l2_buffers.h"
@@ -33,11 +34,11 @@ class V4l2Camera final : public Camera {
   [[nodiscard]] const std::vector<std::string>& missing_controls() const { return missing_controls_; }
 
  private:
-  V4l2Camera(const V4l2Settings& settings, V4l2Buffers buffers, const Clock& clock)
-      : settings_(settings), buffers_(std::move(buffers)), clock_(clock) {}
+  V4l2Camera(V4l2Settings settings, V4l2Buffers buffers, const Clock& clock)
+      : settings_(std::move(settings)), buffers_(std::move(buffers)), clock_(clock) {}
 
   Result<FilledBuffer> wait_for_buffer(Duration limit);
-  Result<Frame> frame_from(const FilledBuffer& filled) const;
+  [[nodiscard]] Result<Frame> frame_from(const FilledBuffer& filled) const;
 
   V4l2Settings settings_;
   V4l2Buffers buffers_;

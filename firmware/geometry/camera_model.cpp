@@ -79,10 +79,11 @@ struct Iterate {
 Iterate improved(const CameraModel& camera, const Vec2& target, const Iterate& from) {
   const Vec2 step = jacobian_on_plane(camera, from.point).inverse() * from.residual;
   double share = 1.0;
-  for (int halving = 0; halving < kHalvings; ++halving, share *= 0.5) {
+  for (int halving = 0; halving < kHalvings; ++halving) {
     const Vec2 point = from.point + share * step;
     const Vec2 residual = target - distorted_on_plane(camera, point);
     if (residual.squaredNorm() < from.residual.squaredNorm()) return {point, residual};
+    share *= 0.5;
   }
   return from;
 }
