@@ -22,10 +22,9 @@ setup: ## install what is missing to build and run (deploy/dev/packages.txt)
 .PHONY: build
 build: setup ## build tripointd and host-tool into build/bin
 	@cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
-	@cmake --build build/release -j $(JOBS)
+	@cmake --build build/release -j $(JOBS) --target tripointd tripoint-render
 	@ln -sfn ../release/bin/tripointd build/bin/tripointd
 	@ln -sfn ../release/bin/tripoint-render build/bin/tripoint-render
-	@ln -sfn ../release/bin/uvc_camera build/bin/uvc_camera
 
 .PHONY: demo
 demo: build ## watch a measured position follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself)
@@ -54,11 +53,14 @@ fuzz: setup ## fuzz every outside door for FUZZ_SECONDS each
 
 .PHONY: bench
 bench: build ## measure the figures of the product; writes build/bench.json
+	@cmake --build build/release -j $(JOBS) >build/build-bench.log || { tail -n 40 build/build-bench.log; exit 1; }
 	@$(RUN)/python firmware/bench/run.py build/release/bin build/bench.json
 
 .PHONY: hardware-test
 hardware-test: build ## real V4L2 drivers in a virtual machine
 	@deploy/dev/install hardware
+	@cmake --build build/release -j $(JOBS) --target uvc_camera
+	@ln -sfn ../release/bin/uvc_camera build/bin/uvc_camera
 	@tests/hardware/run
 
 .PHONY: test-trixie

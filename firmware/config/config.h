@@ -91,7 +91,7 @@ struct SimulationConfig {
   std::uint32_t seed = 1;
   double stamp_jitter_us = 0.0;
   double clock_drift_ppm = 0.0;
-  double right_phase_ms = 0.0;     ///< how much later the right camera exposes
+  double right_phase_ms = 0.0;  ///< how much later the right camera exposes
 };
 
 struct Config {

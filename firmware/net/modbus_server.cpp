@@ -52,8 +52,8 @@ Duration sweep_period(const ModbusSettings& settings) {
 
 class ModbusServer::Impl {
  public:
-  Impl(const ModbusSettings& settings, Responder& responder, Now now)
-      : settings_(settings),
+  Impl(ModbusSettings settings, Responder& responder, Now now)
+      : settings_(std::move(settings)),
         responder_(responder),
         now_(std::move(now)),
         host_{now_, [this](auto request, const Connection& client) { return answer(request, client); },

@@ -90,7 +90,7 @@ class RowReader {
   }
 
  private:
-  Result<RecordedRow> with_frame(RecordedRow row, const Cells& cells) const {
+  [[nodiscard]] Result<RecordedRow> with_frame(RecordedRow row, const Cells& cells) const {
     const auto index = number_from<std::uint32_t>(cells[1]);
     if (!index) return refuse("index must be an integer from 0 to 4294967295");
     const auto exposed = number_from<std::int64_t>(cells[2]);

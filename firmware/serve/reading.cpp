@@ -123,7 +123,7 @@ Reading latched_reading(const UnitState& state, const Latch& latch, TimePoint no
 }
 
 Reading without_pose(Reading reading) {
-  constexpr std::uint16_t kKept = static_cast<std::uint16_t>(
+  constexpr auto kKept = static_cast<std::uint16_t>(
       ~(mask(StatusBit::kPositionValid) | mask(StatusBit::kOrientationValid) | mask(StatusBit::kGimbalLock)));
   reading.pose.reset();
   reading.status = static_cast<std::uint16_t>(reading.status & kKept);

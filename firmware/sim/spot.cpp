@@ -26,8 +26,7 @@ LightPlane::LightPlane(ImageSize size, std::span<const float> background)
     : size_(size),
       background_(background),
       levels_(background.begin(), background.end()),
-      first_touched_(size.height_px),
-      last_touched_(-1) {}
+      first_touched_(size.height_px) {}
 
 void LightPlane::add(const GaussianSpot& spot, const NormalIntegral& normal) {
   // A spot that moves with the rows is stretched over more or fewer of them.
@@ -54,7 +53,7 @@ void LightPlane::add_to_row(int y, const GaussianSpot& spot, const NormalIntegra
   const float even = share * static_cast<float>(spot.energy[bayer_channel(0, y)]);
   const float odd = share * static_cast<float>(spot.energy[bayer_channel(1, y)]);
   float* levels = levels_.data() + static_cast<std::ptrdiff_t>(y) * size_.width_px;
-  const float start = static_cast<float>((left - 0.5 - u_px) / spot.sigma_px);
+  const auto start = static_cast<float>((left - 0.5 - u_px) / spot.sigma_px);
   float before = normal(start);
   const int first = static_cast<int>(left);
   for (int x = first; x <= static_cast<int>(right); ++x) {

@@ -59,7 +59,7 @@ class LightPlane {
   std::span<const float> background_;
   std::vector<float> levels_;
   int first_touched_;
-  int last_touched_;
+  int last_touched_{-1};
 };
 
 }  // namespace tripoint

@@ -67,7 +67,7 @@ Result<Trajectory> load_trajectory(const std::filesystem::path& path) {
     }
     samples.push_back(*sample);
   }
-  return interpolated(std::move(samples)).map_error([&](Error error) {
+  return interpolated(std::move(samples)).map_error([&](const Error& error) {
     return Error{error.code, "trajectory " + path.string() + ": " + error.message};
   });
 }

@@ -83,7 +83,7 @@ void StampClock::fit_start() {
   for (const Stamp& stamp : window_) phases.push_back(stamp.at_s + steps_between(stamp.frame, frame_) * period_s_);
   phase_s_ = median(phases);
   for (double& phase : phases) phase = std::abs(phase - phase_s_);
-  const double count = static_cast<double>(n);
+  const auto count = static_cast<double>(n);
   const double spread_s = kSigmaOfMad * median(phases);
   jitter_s_ = n < kTrustedStamps
                   ? kUntrustedJitter_s

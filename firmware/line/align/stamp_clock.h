@@ -15,7 +15,7 @@ namespace tripoint {
 class StampClock {
  public:
   /// A number that does not grow, or stamps that jump and stay there, start the regression anew.
-  void take(std::uint32_t frame, TimePoint stamp);
+  void take(std::uint32_t frame, TimePoint at);
 
   [[nodiscard]] bool started() const { return count_ > 0; }
   [[nodiscard]] TimePoint time_of(std::uint32_t frame) const;

@@ -48,7 +48,7 @@ void Track::take(const Observation& seen) {
   link_to_picture_before(now);
 }
 
-void Track::link_to_picture_before(TrackedPicture& now) {
+void Track::link_to_picture_before(TrackedPicture& now) const {
   now.links.clear();
   now.step_px.clear();
   for (std::size_t i = 0; i < now.points.size(); ++i) now.step_px.push_back(Vec2::Zero());

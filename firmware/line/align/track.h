@@ -41,7 +41,7 @@ class Track {
 
  private:
   TrackedPicture& slot(std::size_t back) { return ring_[(newest_ + kKept - back) % kKept]; }
-  void link_to_picture_before(TrackedPicture& now);
+  void link_to_picture_before(TrackedPicture& now) const;
 
   std::array<TrackedPicture, kKept> ring_{};
   std::size_t newest_ = 0;

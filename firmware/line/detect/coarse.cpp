@@ -78,7 +78,7 @@ void fill_row(CellMap& map, const Picture& picture, int row, Four four) {
 }
 
 void read_row(CellMap& map, const Picture& picture, int row) {
-  const auto y = static_cast<std::size_t>(row * CoarseMap::kCellPx);
+  const auto y = static_cast<std::size_t>(row) * CoarseMap::kCellPx;
   const std::size_t stride = picture.v.stride_bytes;
   if (picture.interleaved_yuyv) {
     const std::uint8_t* first = picture.luma.data + y * stride;

@@ -15,7 +15,7 @@ Bytes16 local_maxima(const CellMap& map, int x, int y) {
   const std::uint8_t* above = map.row(y - 1) + x;
   const std::uint8_t* here = map.row(y) + x;
   const std::uint8_t* below = map.row(y + 1) + x;
-  const Bytes16 center = loaded<Bytes16>(here);
+  const auto center = loaded<Bytes16>(here);
   const Bytes16 before = larger(larger(loaded<Bytes16>(above - 1), loaded<Bytes16>(above)),
                                 larger(loaded<Bytes16>(above + 1), loaded<Bytes16>(here - 1)));
   const Bytes16 after = larger(larger(loaded<Bytes16>(below - 1), loaded<Bytes16>(below)),

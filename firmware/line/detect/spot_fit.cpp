@@ -188,8 +188,8 @@ SpotModel threshold_subtracted_start(const FitWindow& window, double background)
     yy += row_n * v * v;
   }
   if (n <= 0.0F) return {(window.columns() - 1) / 2.0, (window.rows() - 1) / 2.0, 1.0, contrast, background};
-  const double column = static_cast<double>(x / n);
-  const double row = static_cast<double>(y / n);
+  const auto column = static_cast<double>(x / n);
+  const auto row = static_cast<double>(y / n);
   const double variance = 0.5 * (static_cast<double>((xx + yy) / n) - column * column - row * row);
   // Cutting 20 % off a Gaussian leaves 0.6 of its variance.
   return {column, row, std::sqrt(std::max(variance / 0.6, 0.25)), 1.1 * contrast, background};
