@@ -8,7 +8,10 @@ MODBUS_PORT  ?= 1502
 FUZZ_SECONDS ?= 20
 JOBS         ?= $(shell nproc)
 RUN          := build/host-venv/bin
+# One compiler cache for every checkout of this machine.
 export CCACHE_DIR ?= $(HOME)/.cache/tripoint/ccache
+export CCACHE_BASEDIR := $(CURDIR)
+export CCACHE_NOHASHDIR := true
 
 .PHONY: help
 help: ## list the commands

@@ -46,6 +46,13 @@ function(tripoint_library name)
   add_library(tripoint::${name} ALIAS tripoint_${name})
 endfunction()
 
+# Where tests find files: the only source that knows an absolute path, so that a compiler cache serves every checkout.
+if(TRIPOINT_TESTS)
+  add_library(tripoint_test_places STATIC ${PROJECT_SOURCE_DIR}/tests/unit/places.cpp)
+  target_compile_definitions(tripoint_test_places PRIVATE TRIPOINT_TOP="${PROJECT_SOURCE_DIR}")
+  target_link_libraries(tripoint_test_places PRIVATE tripoint_flags)
+endif()
+
 # One test program a room: fewer links, and ctest still lists every test.
 function(tripoint_test room)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
@@ -53,10 +60,9 @@ function(tripoint_test room)
     return()
   endif()
   add_executable(test_${room} ${ARG_SOURCES})
-  target_link_libraries(test_${room} PRIVATE ${ARG_LINKS} GTest::gmock GTest::gtest_main tripoint_flags)
+  target_link_libraries(test_${room} PRIVATE ${ARG_LINKS} tripoint_test_places GTest::gmock GTest::gtest_main
+                        tripoint_flags)
   target_include_directories(test_${room} PRIVATE ${PROJECT_SOURCE_DIR}/tests/unit)
   target_compile_options(test_${room} PRIVATE -O1)  # what is tested stays as it is built; its tests need no -O3
-  target_compile_definitions(test_${room} PRIVATE TRIPOINT_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests"
-                             TRIPOINT_FIRMWARE_DIR="${PROJECT_SOURCE_DIR}/firmware")
   gtest_discover_tests(test_${room} TEST_PREFIX "${room}." PROPERTIES TIMEOUT 120 DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -3,6 +3,17 @@
 #include <spdlog/spdlog.h>
 
 namespace tripoint {
+namespace {
+
+void log_arrival(Side side, const CameraInfo& camera) {
+  spdlog::info("camera {}: delivers, {}", name(side), camera.name);
+  for (const std::string& control : camera.missing_controls) {
+    spdlog::warn("camera {}: has no control for {}; watch that its automatics leave the picture alone", name(side),
+                 control);
+  }
+}
+
+}  // namespace
 
 void CameraLog::take(const PerSide<CameraStatus>& cameras) {
   for (const Side side : kBothSides) {
@@ -12,7 +23,7 @@ void CameraLog::take(const PerSide<CameraStatus>& cameras) {
       last_error_[side] = camera.last_error;
     }
     if (camera.delivering != delivering_[side]) {
-      if (camera.delivering) spdlog::info("camera {}: delivers, {}", name(side), camera.info.name);
+      if (camera.delivering) log_arrival(side, camera.info);
       delivering_[side] = camera.delivering;
     }
   }

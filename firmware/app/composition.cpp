@@ -105,7 +105,7 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left));
   CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right));
   Measuring measuring({unit.events, unit.cameras, unit.forecast, unit.publication, unit.clock}, setup->model,
-                      fits_calibration(setup->calibration), std::move(report));
+                      fits_calibration(setup->calibration, config.cameras.source), std::move(report));
 
   const std::jthread modbus([&server](const std::stop_token& token) { serve_modbus(*server, token); });
   const std::jthread measuring_thread([&measuring](const std::stop_token& token) { measuring.run(token); });

@@ -33,27 +33,29 @@ void Measuring::run(const std::stop_token& stop) {
 }
 
 void Measuring::step(const Event& event) {
+  const PerSide<CameraStatus> cameras{links_.cameras.left.get(), links_.cameras.right.get()};
+  const bool swapped = check_cameras(cameras);  // before the step: no pose of a calibration that belongs to others
   const std::optional<Measurement> measurement = line_.step(event);
   const TimePoint now = links_.clock.now();
-  if (!measurement && now - published_ < kRefresh) return;
+  if (!measurement && !swapped && now - published_ < kRefresh) return;
 
-  const PerSide<CameraStatus> cameras{links_.cameras.left.get(), links_.cameras.right.get()};
   if (measurement) report_.take(*measurement, arrival(event), links_.clock);
   links_.publication.publish(report_.state(cameras, links_.clock), now);
   published_ = now;
   if (measurement) links_.forecast.put(line_.forecast());
   log_.take(cameras);
-  check_cameras(cameras);
 }
 
-void Measuring::check_cameras(const PerSide<CameraStatus>& cameras) {
-  if (!model_) return;
+bool Measuring::check_cameras(const PerSide<CameraStatus>& cameras) {
+  if (!model_) return false;
   const bool fits = calibration_fits_(cameras);
-  if (fits == model_->calibration_fits) return;
+  if (fits == model_->calibration_fits) return false;
   LineModel changed = *model_;
   changed.calibration_fits = fits;
   model_ = std::make_shared<const LineModel>(std::move(changed));
   line_.swap_model(model_);
+  report_.withdraw_pose(Fault::kCalibrationDoesNotFit);
+  return true;
 }
 
 }  // namespace tripoint

@@ -41,7 +41,8 @@ class Measuring {
 
  private:
   void step(const Event& event);
-  void check_cameras(const PerSide<CameraStatus>& cameras);
+  /// Swaps the model when the judgement of the calibration has changed.
+  bool check_cameras(const PerSide<CameraStatus>& cameras);
 
   MeasuringLinks links_;
   std::shared_ptr<const LineModel> model_;

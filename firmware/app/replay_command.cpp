@@ -25,7 +25,42 @@ namespace {
 struct Replay {
   Config config;
   LineModel model;
+  Isometry3 wanted_from_output = Isometry3::Identity();  ///< --frame against the frame of the configuration
 };
+
+/// The same measurement in another frame.
+Measurement moved(Measurement measurement, const Isometry3& wanted_from_output) {
+  const Matrix3 turn = wanted_from_output.rotation();
+  for (MeasuredPoint& point : measurement.points) {
+    point.in_output_mm = wanted_from_output * point.in_output_mm;
+    point.covariance_mm2 = turn * point.covariance_mm2 * turn.transpose();
+  }
+  if (measurement.pose) {
+    TargetPose& pose = *measurement.pose;
+    Matrix6 turn_both = Matrix6::Zero();
+    turn_both.topLeftCorner<3, 3>() = turn;
+    turn_both.bottomRightCorner<3, 3>() = turn;
+    pose.position_in_output_mm = wanted_from_output * pose.position_in_output_mm;
+    if (pose.output_from_target) pose.output_from_target = turn * *pose.output_from_target;
+    pose.noise = turn_both * pose.noise * turn_both.transpose();
+    pose.shared = turn_both * pose.shared * turn_both.transpose();
+  }
+  return measurement;
+}
+
+/// A calibration made at another picture size measures nonsense.
+Result<void> check_size(const LineModel& model, ImageSize recorded) {
+  for (const Side side : kBothSides) {
+    const ImageSize& calibrated = model.calibration.cameras[side].size;
+    if (calibrated == recorded) continue;
+    return failure(
+        ErrorCode::kMismatch,
+        fmt::format("the {} camera is calibrated at {}x{}, the recording is {}x{}: use the calibration made "
+                    "at that size",
+                    name(side), calibrated.width_px, calibrated.height_px, recorded.width_px, recorded.height_px));
+  }
+  return {};
+}
 
 /// Limits and volume of a configuration, or the defaults without a volume.
 Result<Replay> prepared(const ReplayOptions& options) {
@@ -35,8 +70,6 @@ Result<Replay> prepared(const ReplayOptions& options) {
     if (!config) return tl::make_unexpected(config.error());
     replay.config = std::move(*config);
   }
-  replay.config.output.frame =
-      options.frame == "left_camera" ? ConfiguredFrame::kLeftCamera : ConfiguredFrame::kReference;
   const Result<Calibration> calibration = load_calibration(options.calibration);
   if (!calibration) return tl::make_unexpected(calibration.error());
   const Result<TargetFile> target =
@@ -46,6 +79,9 @@ Result<Replay> prepared(const ReplayOptions& options) {
   if (!model) return tl::make_unexpected(model.error());
   replay.model = std::move(*model);
   if (options.config.empty()) replay.model.volume.reset();
+  const Isometry3 wanted_from_rig =
+      options.frame == "left_camera" ? replay.model.rig.camera_from_rig.left : Isometry3::Identity();
+  replay.wanted_from_output = wanted_from_rig * replay.model.output_from_rig.inverse();
   return replay;
 }
 
@@ -91,6 +127,8 @@ int replay_command(const ReplayOptions& options) {
   if (!replay) return report(replay.error());
   Result<RecordingReader> reader = RecordingReader::open(options.folder);
   if (!reader) return report(reader.error());
+  const Result<void> size = check_size(replay->model, reader->description().size);
+  if (!size) return report(size.error());
 
   const OutputFrame frame = options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
   Line line(std::make_shared<const LineModel>(replay->model));
@@ -102,7 +140,7 @@ int replay_command(const ReplayOptions& options) {
       continue;
     }
     if (const std::optional<Measurement> verdict = line.step(*event)) {
-      fmt::print("{}\n", verdict_json(*verdict, frame));
+      fmt::print("{}\n", verdict_json(moved(*verdict, replay->wanted_from_output), frame));
     }
   }
   return number(ExitCode::kWell);

@@ -7,11 +7,13 @@
 
 #include <csignal>
 
+#include "app/camera_supply.h"
 #include "app/composition.h"
 #include "app/exit_code.h"
 #include "app/unit_setup.h"
 #include "app/version.h"
 #include "config/config.h"
+#include "devices/system_clock.h"
 
 namespace tripoint {
 namespace {
@@ -54,6 +56,9 @@ int check_config_command(const std::filesystem::path& config_file, const std::ve
   if (!config) return report(config.error());
   const Result<UnitSetup> setup = unit_setup(*config);
   if (!setup) return report(setup.error());
+  const SystemClock clock;
+  const Result<PerSide<OpenCamera>> cameras = camera_supply(*config, clock);
+  if (!cameras) return report(cameras.error());
   fmt::print("{}: valid; setup {}, {}\n", config_file.string(), setup->constants.identity.setup,
              setup->calibration ? "calibrated" : "no calibration: nothing will be measured");
   return number(ExitCode::kWell);

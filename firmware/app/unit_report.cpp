@@ -31,6 +31,12 @@ void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> a
   if (arrived && measurement.common_time) latency_.add(clock.now() - *arrived);
 }
 
+void UnitReport::withdraw_pose(Fault cause) {
+  if (!newest_) return;
+  newest_->measurement.pose.reset();
+  newest_->measurement.faults.insert(cause);
+}
+
 UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& clock) const {
   UnitState state;
   state.identity = constants_.identity;
@@ -73,8 +79,7 @@ CameraStats UnitReport::stats(Side side, const CameraStatus& camera) const {
   if (camera.info.exposure > Duration{0}) stats.exposure_us = microseconds(camera.info.exposure);
   stats.gain = camera.info.gain;
   stats.dropped = clipped<std::uint32_t>(camera.dropped);
-  stats.resets = clipped<std::uint16_t>(camera.losses);
-  if (newest_) {
+  if (newest_ && camera.delivering) {
     const ImageHealth& health = newest_->measurement.health[side];
     stats.spots = newest_->measurement.spots[side];
     stats.spot_peak = health.peak_luma;

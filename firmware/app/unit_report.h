@@ -34,6 +34,9 @@ class UnitReport {
   /// A verdict of the line; `arrived` is when the last byte of the picture that brought it was there.
   void take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock);
 
+  /// The newest measurement has lost its pose for this reason; the next verdict replaces it.
+  void withdraw_pose(Fault cause);
+
   /// The state as it is to be published now.
   [[nodiscard]] UnitState state(const PerSide<CameraStatus>& cameras, const Clock& clock) const;
 

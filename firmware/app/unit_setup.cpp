@@ -1,5 +1,7 @@
 #include "app/unit_setup.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -46,6 +48,12 @@ std::uint16_t setup_number(const Config& config, const std::optional<Calibration
   return static_cast<std::uint16_t>(std::max<std::uint32_t>(id_from(sha256(text)) >> 16U, 1U));
 }
 
+/// Cheap cameras come without a serial, or all with the same.
+bool has_unique_serials(const Calibration& calibration) {
+  const PerSide<std::string>& serial = calibration.serial;
+  return !serial.left.empty() && !serial.right.empty() && serial.left != serial.right;
+}
+
 UnitConstants constants_of(const Config& config, const std::optional<Calibration>& calibration,
                            const TargetFile& target) {
   UnitConstants constants;
@@ -60,9 +68,30 @@ UnitConstants constants_of(const Config& config, const std::optional<Calibration
   constants.simulated = is_simulated(config.cameras.source);
   if (calibration) {
     constants.verified = verified_by_length(*calibration);
-    constants.unique_serials = !calibration->serial.left.empty() && !calibration->serial.right.empty();
+    constants.unique_serials = has_unique_serials(*calibration);
   }
   return constants;
+}
+
+/// An error of a file that the configuration names, told with the key that names it.
+Error named_by(std::string_view key, const Error& error) {
+  return {error.code, fmt::format("{}: {}", key, error.message)};
+}
+
+/// Pictures of another size than the calibration's cannot be measured; of a recording only its frames can tell.
+Result<void> check_size(const Config& config, const Calibration& calibration) {
+  if (config.cameras.source == CameraSource::kRecording) return {};
+  for (const Side side : kBothSides) {
+    const ImageSize& size = calibration.stereo.cameras[side].size;
+    if (size == config.cameras.size) continue;
+    return failure(
+        ErrorCode::kMismatch,
+        fmt::format("made at {}x{} px ({} camera), but cameras.width_px and height_px ask for {}x{}: set that "
+                    "size or use another calibration",
+                    size.width_px, size.height_px, name(side), config.cameras.size.width_px,
+                    config.cameras.size.height_px));
+  }
+  return {};
 }
 
 }  // namespace
@@ -87,12 +116,14 @@ Result<LineModel> line_model(const Calibration& calibration, const TargetFile& t
 Result<UnitSetup> unit_setup(const Config& config) {
   const Result<TargetFile> target =
       config.target_file.empty() ? Result<TargetFile>(single_led()) : load_target(config.target_file);
-  if (!target) return tl::make_unexpected(target.error());
+  if (!target) return tl::make_unexpected(named_by("target.file", target.error()));
 
   UnitSetup setup;
   if (!config.calibration_file.empty()) {
     Result<Calibration> calibration = load_calibration(config.calibration_file);
-    if (!calibration) return tl::make_unexpected(calibration.error());
+    const Result<void> usable =
+        calibration.and_then([&](const Calibration& loaded) { return check_size(config, loaded); });
+    if (!usable) return tl::make_unexpected(named_by("calibration.file", usable.error()));
     Result<LineModel> model = line_model(*calibration, *target, config);
     if (!model) return tl::make_unexpected(model.error());
     setup.model = std::make_shared<const LineModel>(std::move(*model));
@@ -102,16 +133,18 @@ Result<UnitSetup> unit_setup(const Config& config) {
   return setup;
 }
 
-CalibrationFits fits_calibration(const std::optional<Calibration>& calibration) {
-  return [calibration](const PerSide<CameraStatus>& cameras) {
+CalibrationFits fits_calibration(const std::optional<Calibration>& calibration, CameraSource source) {
+  return [calibration, source, fits = PerSide<bool>{true, true}](const PerSide<CameraStatus>& cameras) mutable {
     if (!calibration) return true;
-    return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
-      const CameraStatus& camera = cameras[side];
-      if (!camera.delivering) return true;
-      const std::string& serial = calibration->serial[side];
-      const bool same = serial.empty() ? camera.info.port == calibration->port[side] : camera.info.serial == serial;
-      return same && camera.info.size == calibration->stereo.cameras[side].size;
-    });
+    for (const Side side : kBothSides) {
+      const CameraInfo& camera = cameras[side].info;
+      if (!cameras[side].delivering) continue;
+      const bool same = source == CameraSource::kRecording ||
+                        (camera.serial == calibration->serial[side] &&
+                         (has_unique_serials(*calibration) || camera.port == calibration->port[side]));
+      fits[side] = same && camera.size == calibration->stereo.cameras[side].size;
+    }
+    return fits.left && fits.right;
   };
 }
 

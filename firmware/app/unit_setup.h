@@ -31,8 +31,9 @@ Result<UnitSetup> unit_setup(const Config& config);
 /// @return kMismatch when the target is not made of LEDs
 Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config);
 
-/// Whether the cameras that deliver are those of the calibration: serial (or, without one, port) and picture size.
-/// A camera that does not deliver is not judged.
-CalibrationFits fits_calibration(const std::optional<Calibration>& calibration);
+/// Whether the cameras are those of the calibration: picture size and serial; without a serial, or when both cameras
+/// have the same, the port as well. Pictures of a recording are judged by their size alone. A camera that does not
+/// deliver keeps the judgement it had.
+CalibrationFits fits_calibration(const std::optional<Calibration>& calibration, CameraSource source);
 
 }  // namespace tripoint

@@ -34,6 +34,14 @@ std::string about_side(Side side, std::string_view message) {
   return fmt::format("{}: {}", camera, message);
 }
 
+/// A picture is exposed before it arrives, but for the jitter of the stamp, and no driver keeps one for a second.
+bool plausible(const Frame& frame) {
+  constexpr Duration kStampJitter = std::chrono::milliseconds(20);
+  constexpr Duration kLongestWay = std::chrono::seconds(1);
+  const Duration way = frame.arrived - frame.exposed;
+  return way >= -kStampJitter && way <= kLongestWay;
+}
+
 }  // namespace
 
 void pause_until_stop(Duration duration, const std::stop_token& stop) {
@@ -67,14 +75,18 @@ Error CameraWorker::serve(const std::stop_token& stop) {
   status_.info = (*camera)->info();
   last_sequence_.reset();
   rate_.restart();
+  const TimePoint opened = links_.clock.now();
+  bool delivered = false;
   int corrupt_in_a_row = 0;
   while (!stop.stop_requested()) {
     const Result<Observation> observation = observe(**camera);
     if (observation) {
+      delivered = true;
       corrupt_in_a_row = 0;
       deliver(*observation);
       continue;
     }
+    if (may_still_start(observation.error(), delivered, opened)) continue;
     if (observation.error().code != ErrorCode::kCorruptFrame) return observation.error();
     ++status_.corrupt;
     note(observation.error());
@@ -86,11 +98,16 @@ Error CameraWorker::serve(const std::stop_token& stop) {
   return {ErrorCode::kTimeout, "asked to stop"};
 }
 
+bool CameraWorker::may_still_start(const Error& error, bool delivered, TimePoint opened) const {
+  return error.code == ErrorCode::kTimeout && !delivered && links_.clock.now() - opened < limits_.first_frame;
+}
+
 Result<Observation> CameraWorker::observe(Camera& camera) {
   const Result<Frame> frame = camera.next_frame(limits_.frame);
   if (!frame) return tl::make_unexpected(frame.error());
   const Result<Picture> picture = picture_from(*frame);
   if (!picture) return tl::make_unexpected(picture.error());
+  if (!plausible(*frame)) return failure(ErrorCode::kCorruptFrame, "time stamp does not fit the time of arrival");
   count_frame(*frame);
 
   Observation observation = tasks_.detect(*picture, links_.forecast.get());

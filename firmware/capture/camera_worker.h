@@ -34,6 +34,7 @@ struct CameraStatus {
 
 struct CameraLimits {
   Duration frame = std::chrono::milliseconds(500);  ///< without a frame for so long, the camera is lost
+  Duration first_frame = std::chrono::seconds(2);   ///< the same from opening to the first frame: sensors start slowly
   Duration first_retry = std::chrono::milliseconds(200);
   Duration last_retry = std::chrono::seconds(2);  ///< the pause doubles from the first to this
   int corrupt_in_a_row = 5;                       ///< so many, and the camera is lost; a sixth of a second at 30 Hz
@@ -74,6 +75,7 @@ class CameraWorker {
 
  private:
   Error serve(const std::stop_token& stop);
+  [[nodiscard]] bool may_still_start(const Error& error, bool delivered, TimePoint opened) const;
   Result<Observation> observe(Camera& camera);
   Result<Picture> picture_from(const Frame& frame);
   void count_frame(const Frame& frame);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,13 @@ void check_exposure(TableReader& table, const CamerasConfig& cameras) {
                fmt::format("longer than a frame; permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
 }
 
+void check_loss(TableReader& table, const CamerasConfig& cameras) {
+  const double shortest_ms = 1.5e3 / cameras.rate_hz;
+  if (static_cast<double>(cameras.loss_after.count()) >= shortest_ms) return;
+  table.refuse("loss_after_ms", fmt::format("shorter than one and a half frames; permitted at {} Hz is from {:.0f}",
+                                            cameras.rate_hz, std::ceil(shortest_ms)));
+}
+
 }  // namespace
 
 CamerasConfig cameras_from(TableReader table) {
@@ -61,7 +69,7 @@ CamerasConfig cameras_from(TableReader table) {
       c.format);
   c.size.width_px = integer(table, "width_px", {320, 1280}, c.size.width_px);
   c.size.height_px = integer(table, "height_px", {240, 720}, c.size.height_px);
-  c.rate_hz = table.number("rate_hz", {1.0, 240.0}, c.rate_hz);
+  c.rate_hz = table.number("rate_hz", {15.0, 240.0}, c.rate_hz);
   c.exposure = std::chrono::microseconds{table.integer("exposure_us", {1, 1'000'000}, c.exposure.count())};
   c.gain = integer(table, "gain", {0, 65'535}, c.gain);
   c.white_balance_k = integer(table, "white_balance_k", {2000, 10'000}, c.white_balance_k);
@@ -70,6 +78,7 @@ CamerasConfig cameras_from(TableReader table) {
   for (const Side side : kBothSides) c.bindings[side] = binding_from(table.table(name(side)));
   check_size(table, c.size);
   check_exposure(table, c);
+  check_loss(table, c);
   table.finish();
   check_bindings(table, c);
   return c;

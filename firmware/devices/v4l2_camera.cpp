@@ -48,7 +48,6 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
 
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(settings, std::move(*buffers), clock));
   camera->stride_bytes_ = format->stride_bytes;
-  camera->missing_controls_ = std::move(controls->missing);
   camera->info_ = {.name = name,
                    .port = settings.port,
                    .serial = settings.serial,
@@ -56,7 +55,8 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
                    .format = settings.format,
                    .rate_hz = format->rate_hz,
                    .exposure = controls->exposure,
-                   .gain = settings.gain};
+                   .gain = settings.gain,
+                   .missing_controls = std::move(controls->missing)};
   return camera;
 }
 

@@ -30,9 +30,6 @@ class V4l2Camera final : public Camera {
   Result<Frame> next_frame(Duration limit) override;
   [[nodiscard]] const CameraInfo& info() const override { return info_; }
 
-  /// Controls that the camera does not have; its automatics may then change the picture.
-  [[nodiscard]] const std::vector<std::string>& missing_controls() const { return missing_controls_; }
-
  private:
   V4l2Camera(V4l2Settings settings, V4l2Buffers buffers, const Clock& clock)
       : settings_(std::move(settings)), buffers_(std::move(buffers)), clock_(clock) {}
@@ -45,7 +42,6 @@ class V4l2Camera final : public Camera {
   const Clock& clock_;
   std::size_t stride_bytes_ = 0;
   CameraInfo info_;
-  std::vector<std::string> missing_controls_;
   std::optional<std::uint32_t> held_;  ///< the buffer that the last frame looks into
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ports/frame.h"
 #include "values/result.h"
@@ -19,6 +20,7 @@ struct CameraInfo {
   double rate_hz = 0.0;
   Duration exposure{0};
   int gain = 0;
+  std::vector<std::string> missing_controls;  ///< that it does not have; its automatics may then change the picture
 };
 
 class Camera {

@@ -7,6 +7,8 @@ namespace {
 
 using registers::StatusBit;
 
+constexpr Duration kMostAhead{50'000'000};  // an exposure further in the future is a clock gone wrong, not a fresh pose
+
 constexpr std::uint16_t mask(StatusBit bit, bool set = true) {
   return static_cast<std::uint16_t>(set ? 1U << static_cast<unsigned>(bit) : 0U);
 }
@@ -88,7 +90,8 @@ Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now) 
 
   Reading reading = told_by(*state.newest);
   if (state.pose_since_start) reading.age_ms = age_of(measurement, now);
-  const bool fresh = reading.age_ms && now - measurement.exposed <= state.limits.age_limit;
+  const Duration age = now - measurement.exposed;
+  const bool fresh = reading.age_ms && age <= state.limits.age_limit && age >= -kMostAhead;
   reading.faults = faults.bits();
   reading.warnings = warnings.bits();
   reading.setup = state.identity.setup;

@@ -43,7 +43,8 @@ SimulatedCamera::SimulatedCamera(const SimulatedWorld& world, Side side, const C
             .format = world.settings().format,
             .rate_hz = world.settings().rate_hz,
             .exposure = world.settings().exposure,
-            .gain = 0} {
+            .gain = 0,
+            .missing_controls = {}} {
   const TimePoint now = clock_.now();
   first_number_ = schedule_.newest_ready(now);
   if (schedule_.ready(first_number_) <= now) ++first_number_;  // what was exposed before the opening is not delivered

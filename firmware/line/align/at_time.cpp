@@ -165,6 +165,9 @@ PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoi
     found.faults.insert(one.faults);
     if (one.point) found.points.push_back(*one.point);
   }
+  // A spot that cannot be placed might have been the partner of one that the other camera sees.
+  const bool some_left_out = found.points.size() < found.spots && !found.points.empty();
+  if (some_left_out) found.faults.insert(Fault::kAmbiguous);
   return found;
 }
 

@@ -138,10 +138,11 @@ void StampClock::correct(double innovation_s, double innovation_variance_s2) {
   covariance_(1, 0) = covariance_(0, 1);
 }
 
-/// One refused stamp is an outlier; from the second on the clock may have stepped, and after four it has.
+/// One refused stamp is an outlier, unless it is off by a frame: then a number may have been lost. From the second on
+/// the clock may have stepped, and after four it has.
 void StampClock::doubt(const Stamp& stamp, double innovation_s) {
   window_.push_back(stamp);
-  if (window_.size() > 1) doubt_s_ = std::abs(innovation_s);
+  if (window_.size() > 1 || std::abs(innovation_s) > 0.5 * period_s_) doubt_s_ = std::abs(innovation_s);
   if (window_.size() < kRefusedInARow) return;
   count_ = window_.size();
   fit_start();

@@ -6,7 +6,7 @@
 namespace tripoint {
 namespace {
 
-constexpr int kMostRepeats = 3;  // identical pictures in a row: the camera hangs though its stamps are fresh
+constexpr int kMostRepeats = 2;  // the first copy is not called one: with the third copy the camera counts as lost
 
 TimePoint time_of(const Event& event) {
   if (const auto* seen = std::get_if<Observation>(&event)) return seen->arrived;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "line/detect/falloff.h"
 
@@ -18,6 +19,7 @@ constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's cent
 constexpr double kRoundAspect = 1.2;        ///< up to it an ellipse is taken for one LED seen from the side
 constexpr double kUsualMisfit = 0.05;       ///< of the amplitude: tone curve, halo and mosaic
 constexpr double kDoubtOfMisfit = 3.0;  ///< px of error for each px of sigma and misfit: rendered hidden and near spots
+constexpr double kFade_px = 3.0;        ///< over more than the mosaic's cell of 2 px
 constexpr double kPixelGrain_px2 = 0.45;  ///< long^2 - short^2 of a block of 3 by 2 pixels
 constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly hidden
 
@@ -159,7 +161,7 @@ void Inspector::fill_fit_window(Channel channel) {
   const int bottom = std::min(window_.rows() - 1, center_row + reach);
   fit_window_.resize(right - fit_left_ + 1, bottom - fit_top_ + 1);
   const double reach2 = (reach + 0.5) * (reach + 0.5);
-  seen_.hidden_pixels = 0;
+  seen_.hidden_pixels = own_hidden_pixels_ = 0;
   peak_luma_ = 0;
   for (int row = fit_top_; row <= bottom; ++row) {
     for (int column = fit_left_; column <= right; ++column) {
@@ -167,13 +169,13 @@ void Inspector::fill_fit_window(Channel channel) {
       const std::size_t i = SpotWindow::index(column, row);
       if (d2 > reach2 || window_.outside(i)) continue;
       seen_.hidden_pixels += hidden(i) ? 1 : 0;
+      own_hidden_pixels_ += hidden(i) && flood_.holds(i) ? 1 : 0;
       peak_luma_ = std::max(peak_luma_, window_.luma(i));
       const float value = channel == Channel::kLuma ? static_cast<float>(window_.luma(i))
                                                     : 0.25F * static_cast<float>(window_.strength(i));
       fit_window_.set(column - fit_left_, row - fit_top_, value, 1.0F);
     }
   }
-  if (seen_.hidden_pixels > 0) hide_clipped();
 }
 
 bool Inspector::hidden(std::size_t i) const {
@@ -181,21 +183,40 @@ bool Inspector::hidden(std::size_t i) const {
 }
 
 /// Demosaicing carries a clipped value into the neighbours: they are hidden too.
-void Inspector::hide_clipped() {
+void Inspector::hide_clipped(Core own_core) {
   for (int row = 0; row < fit_window_.rows(); ++row) {
     for (int column = 0; column < fit_window_.columns(); ++column) {
-      if (hidden(SpotWindow::index(fit_left_ + column, fit_top_ + row))) fit_window_.hide_around(column, row);
+      const std::size_t i = SpotWindow::index(fit_left_ + column, fit_top_ + row);
+      if (hidden(i) && (own_core == Core::kHidden || !flood_.holds(i))) fit_window_.hide_around(column, row);
     }
   }
+}
+
+/// The model never fits wholly (halo, mosaic). Hidden pixel by pixel, the core leaves a ragged edge, another one at
+/// each place in the mosaic's cell, which turns the misfit into an error of the centre; a disc that fades does not.
+/// How well the model fits stays what all pixels that show have said.
+SpotFit Inspector::fitted_with_fading_core(const SpotFit& spot, Channel channel) {
+  fill_fit_window(channel);
+  hide_clipped(Core::kShown);
+  const double clipped_px = std::sqrt(own_hidden_pixels_ / std::numbers::pi);
+  if (own_hidden_pixels_ > 0) {
+    fit_window_.fade_around(spot.model.column, spot.model.row, clipped_px, clipped_px + kFade_px);
+  }
+  auto better = fit_spot(fit_window_, spot.model);
+  if (!better) return spot;
+  better->noise = spot.noise;
+  better->visible_amplitude = spot.visible_amplitude;
+  return *better;
 }
 
 std::optional<SpotFit> Inspector::fit_channel(Channel channel) {
   fill_fit_window(channel);
   const double background = channel == Channel::kLuma ? around_.luma : 0.25 * around_.strength;
   const SpotModel start = threshold_subtracted_start(fit_window_, background);
+  if (seen_.hidden_pixels > 0) hide_clipped(Core::kHidden);
   auto spot = fit_spot(fit_window_, start);
-  if (!spot) return std::nullopt;
-  return distance_from_area_px(*spot) < 0.5 * area_.radius_px() + 0.7 ? spot : std::nullopt;
+  if (spot && seen_.hidden_pixels > 0) spot = fitted_with_fading_core(*spot, channel);
+  return spot && distance_from_area_px(*spot) < 0.5 * area_.radius_px() + 0.7 ? spot : std::nullopt;
 }
 
 /// Radius of the fitted Gaussian at the level of the area, over the area's radius.

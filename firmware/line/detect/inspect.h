@@ -30,6 +30,7 @@ class Inspector {
 
  private:
   enum class Channel { kLuma, kStrength };
+  enum class Core { kHidden, kShown };
 
   DropCause judge(const Picture& picture);
   DropCause stand_out(const Picture& picture);
@@ -42,7 +43,8 @@ class Inspector {
   void show_surround(const Picture& picture);
   void fill_fit_window(Channel channel);
   [[nodiscard]] bool hidden(std::size_t i) const;
-  void hide_clipped();
+  void hide_clipped(Core own_core);
+  [[nodiscard]] SpotFit fitted_with_fading_core(const SpotFit& spot, Channel channel);
   std::optional<SpotFit> fit_channel(Channel channel);
   [[nodiscard]] double share_of_radius(const SpotFit& spot) const;
   [[nodiscard]] double distance_from_area_px(const SpotFit& spot) const;
@@ -66,6 +68,7 @@ class Inspector {
   int fit_left_ = 0;
   int fit_top_ = 0;
   int peak_luma_ = 0;
+  int own_hidden_pixels_ = 0;  ///< those of the area
 };
 
 }  // namespace tripoint

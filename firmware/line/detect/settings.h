@@ -32,7 +32,7 @@ struct LedDetectorSettings {
   double min_amplitude = 20.0;        ///< S/4: below it the spot is refused
   // Measuring.
   int clip = 1160;        ///< S: the red channel is clipped above (1206 in BT.601 limited range, 1248 in JPEG's)
-  int hide_above = 1100;  ///< S: such pixels and their neighbours are not measured; mosaic and chroma bend them
+  int hide_above = 1100;  ///< S: such pixels are not measured, and those around them less; mosaic and chroma bend them
   int luma_clip = 233;    ///< Y: all three channels are clipped above
   /// Rendered 640x480 frames with mosaic and 4:2:2 err by 0.015 to 0.04 px: there 0.04 is honest.
   double floor_px = 0.10;        ///< standard deviation per axis of what the fit cannot see: demosaicing, chroma, shape

@@ -34,7 +34,8 @@ double sum(Floats4 v) {
   return static_cast<double>(v[0]) + static_cast<double>(v[1]) + static_cast<double>(v[2]) + static_cast<double>(v[3]);
 }
 
-/// Sums over one row of products of the profile e and its derivatives d (centre) and q (sigma), and of residuals r.
+/// Sums over one row of products of the profile e and its derivatives d (centre) and q (sigma), and of weighted
+/// residuals r.
 struct RowSums {
   Floats4 w{}, e{}, d{}, q{}, ee{}, ed{}, eq{}, dd{}, dq{}, qq{}, r{}, re{}, rd{}, rq{};
 };
@@ -101,14 +102,15 @@ Normal normal_equations(const FitWindow& window, const SpotModel& model) {
       const auto e = loaded<Floats4>(across.values() + i);
       const auto d = loaded<Floats4>(across.by_center() + i);
       const auto q = loaded<Floats4>(across.by_sigma() + i);
-      const Floats4 r = w * (loaded<Floats4>(window.values(row) + i) - background - scale * e);
+      const Floats4 residual = loaded<Floats4>(window.values(row) + i) - background - scale * e;
+      const Floats4 r = w * residual;
       const Floats4 we = w * e;
       const Floats4 wd = w * d;
       const Floats4 wq = w * q;
       s.w += w, s.e += we, s.d += wd, s.q += wq;
       s.ee += we * e, s.ed += we * d, s.eq += we * q, s.dd += wd * d, s.dq += wd * q, s.qq += wq * q;
       s.r += r, s.re += r * e, s.rd += r * d, s.rq += r * q;
-      total.squares += r * r;
+      total.squares += r * residual;
       const Floats4 visible = we * e_row;
       total.visible = visible > total.visible ? visible : total.visible;
     }
@@ -160,6 +162,21 @@ void FitWindow::hide_around(int column, int row) {
   if (column + 1 < columns_) weights_[index(column + 1, row)] = 0.0F;
   if (row > 0) weights_[index(column, row - 1)] = 0.0F;
   if (row + 1 < rows_) weights_[index(column, row + 1)] = 0.0F;
+}
+
+void FitWindow::fade_around(double column, double row, double from_px, double to_px) {
+  TRIPOINT_ASSERT(from_px < to_px);
+  const int first_column = std::max(0, static_cast<int>(std::ceil(column - to_px)));
+  const int last_column = std::min(columns_ - 1, static_cast<int>(std::floor(column + to_px)));
+  const int first_row = std::max(0, static_cast<int>(std::ceil(row - to_px)));
+  const int last_row = std::min(rows_ - 1, static_cast<int>(std::floor(row + to_px)));
+  for (int y = first_row; y <= last_row; ++y) {
+    for (int x = first_column; x <= last_column; ++x) {
+      const double distance_px = std::sqrt((x - column) * (x - column) + (y - row) * (y - row));
+      const double share = std::clamp((distance_px - from_px) / (to_px - from_px), 0.0, 1.0);
+      weights_[index(x, y)] *= static_cast<float>(share * share * (3.0 - 2.0 * share));
+    }
+  }
 }
 
 SpotModel threshold_subtracted_start(const FitWindow& window, double background) {

@@ -9,7 +9,7 @@
 
 namespace tripoint {
 
-/// Values and weights of the pixels to fit; weight 0 hides a clipped or foreign pixel.
+/// Values and weights of the pixels to fit: weight 0 hides a clipped or foreign pixel, 1 is a whole one.
 class FitWindow {
  public:
   static constexpr int kMaxSide = 84;
@@ -23,6 +23,9 @@ class FitWindow {
 
   /// Takes the weight from a pixel and its four neighbours.
   void hide_around(int column, int row);
+
+  /// Scales the weights around a place: 0 up to `from_px` of distance, rising smoothly to 1 at `to_px`.
+  void fade_around(double column, double row, double from_px, double to_px);
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
@@ -64,7 +67,7 @@ SpotModel threshold_subtracted_start(const FitWindow& window, double background)
 
 /// Gauss-Newton with light damping, at most 7 steps.
 ///
-/// @return nothing when fewer than 12 pixels are visible or the normal equations are singular
+/// @return nothing when the weights sum up to fewer than 12 pixels or the normal equations are singular
 /// Source: Winick 1986, "Cramer-Rao lower bounds on the performance of CCD optical position estimators".
 std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start);
 

@@ -7,9 +7,8 @@
 namespace tripoint {
 namespace {
 
-constexpr Duration kWarningStays{10'000'000'000};  // registers.md: at least 10 s after its cause
-constexpr double kEpipolarMemory = 32.0;           // pairs, about half a second to a second
-constexpr double kSpotSigma_px = 0.5;              // a forecast is never taken for more exact than that
+constexpr double kEpipolarMemory = 32.0;  // pairs, about half a second to a second
+constexpr double kSpotSigma_px = 0.5;     // a forecast is never taken for more exact than that
 
 /// Nothing when the point lies behind a camera.
 std::optional<ForecastPoint> seen_by_both(const PredictedPosition& position, const LineModel& model) {
@@ -41,19 +40,11 @@ void Monitor::learn(const Measurement& measurement, const Pairs& pairs) {
     epipolar_square_px2_ += (square_px2 - epipolar_square_px2_) / (epipolar_known_ ? kEpipolarMemory : 1.0);
     epipolar_known_ = true;
   }
-  for (unsigned bit = 0; bit < warned_.size(); ++bit) {
-    if (measurement.warnings.contains(static_cast<Warning>(bit))) warned_[bit] = measurement.exposed;
-  }
 }
 
 Measurement Monitor::completed(Measurement measurement, const LineModel& model) const {
   measurement.sequence = learned_;
   measurement.epipolar_rms_px = std::sqrt(epipolar_square_px2_);
-  for (unsigned bit = 0; bit < warned_.size(); ++bit) {
-    if (warned_[bit] && measurement.exposed - *warned_[bit] <= kWarningStays) {
-      measurement.warnings.insert(static_cast<Warning>(bit));
-    }
-  }
   if (measurement.pose) {
     measurement.timing.speed_mm_per_s = motion_.speed_mm_per_s().value_or(0.0);
     measurement.timing.settled = motion_.settled(model.limits.settled_mm_per_s);

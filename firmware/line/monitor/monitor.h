@@ -1,7 +1,6 @@
-// What outlives a single measurement: motion, health, lasting warnings, and the forecast for the detectors.
+// What outlives a single measurement: motion, health, and the forecast for the detectors.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -16,10 +15,10 @@ namespace tripoint {
 
 class Monitor {
  public:
-  /// Motion from the pose, epipolar RMS from the pairs, warnings from everything.
+  /// Motion from the pose, epipolar RMS from the pairs.
   void learn(const Measurement& measurement, const Pairs& pairs);
 
-  /// The measurement with what only the history knows: sequence, speed, settled, epipolar RMS, lasting warnings.
+  /// The measurement with what only the history knows: sequence, speed, settled, epipolar RMS.
   [[nodiscard]] Measurement completed(Measurement measurement, const LineModel& model) const;
 
   /// The next positions are not continuations of the former ones.
@@ -35,7 +34,6 @@ class Monitor {
   Motion motion_;
   double epipolar_square_px2_ = 0.0;  // exponential mean
   bool epipolar_known_ = false;
-  std::array<std::optional<TimePoint>, 16> warned_{};  // last cause of each warning
 };
 
 }  // namespace tripoint

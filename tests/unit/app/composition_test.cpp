@@ -1,5 +1,6 @@
 // The whole unit with all its threads on simulated cameras; what each part does is tested in its room.
 #include "app/composition.h"
+#include "places.h"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -66,8 +67,7 @@ std::optional<std::array<std::uint16_t, 2>> heartbeat_and_status(std::uint16_t p
 }
 
 Config demo_config(std::uint16_t port) {
-  const std::filesystem::path demo = std::filesystem::path(TRIPOINT_FIRMWARE_DIR) / "../deploy/demo/demo.toml";
-  Config config = load_config(demo, {}).value();
+  Config config = load_config(test::top_folder() / "deploy/demo/demo.toml", {}).value();
   config.modbus.port = port;
   config.cameras.loss_after = std::chrono::seconds(5);  // a sanitizer makes the renderer slow
   return config;

@@ -1,22 +1,17 @@
 // Pictures of other people, the way `tripointd detect` reads them: tags and boards show no red LED.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "capture/image_file.h"
 #include "line/detect/led_detector.h"
+#include "places.h"
 
 namespace tripoint {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path shared_data() {
-  const char* given = std::getenv("TRIPOINT_SHARED");
-  return (given != nullptr ? fs::path(given) : fs::path(TRIPOINT_TESTS_DIR) / "../../shared") / "data";
-}
 
 bool is_picture(const fs::path& file) {
   const std::string ending = file.extension().string();
@@ -24,7 +19,7 @@ bool is_picture(const fs::path& file) {
 }
 
 void expect_nothing_in(const std::string& folder) {
-  const fs::path path = shared_data() / folder;
+  const fs::path path = test::shared_folder() / "data" / folder;
   if (!fs::is_directory(path)) GTEST_SKIP() << "no such folder: " << path << "; set TRIPOINT_SHARED";
   int pictures = 0;
   LedDetector detector{LedDetectorSettings{}};

@@ -98,6 +98,16 @@ TEST(UnitReportTest, AVerdictWithoutAPoseIsSearching) {
   EXPECT_TRUE(state.pose_since_start);
 }
 
+TEST(UnitReportTest, AWithdrawnPoseIsGoneWithItsCause) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  report.take(with_pose(), std::nullopt, clock);
+  report.withdraw_pose(Fault::kCalibrationDoesNotFit);
+  const UnitState state = report.state({delivering(), delivering()}, clock);
+  EXPECT_FALSE(state.newest->measurement.pose);
+  EXPECT_TRUE(state.newest->measurement.faults.contains(Fault::kCalibrationDoesNotFit));
+}
+
 TEST(UnitReportTest, LatencyRunsFromTheArrivalOfThePicture) {
   HeldClock clock;
   UnitReport report(calibrated_unit(), clock.now());

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
+
 namespace tripoint {
 namespace {
 
-const std::filesystem::path kDemo = std::filesystem::path(TRIPOINT_FIRMWARE_DIR) / "../deploy/demo";
-
 Result<UnitSetup> demo_setup(const std::vector<std::string>& overrides = {}) {
-  return load_config(kDemo / "demo.toml", overrides).and_then(unit_setup);
+  return load_config(test::top_folder() / "deploy/demo/demo.toml", overrides).and_then(unit_setup);
 }
 
 CameraStatus camera(const std::string& serial, ImageSize size = {640, 480}) {
@@ -48,6 +48,14 @@ TEST(UnitSetupTest, AMissingCalibrationFileIsNamed) {
   EXPECT_NE(setup.error().message.find("nowhere.toml"), std::string::npos);
 }
 
+TEST(UnitSetupTest, ACalibrationOfAnotherPictureSizeIsRefusedWithBothSizes) {
+  const Result<UnitSetup> setup = demo_setup({"cameras.width_px=320", "cameras.height_px=240"});
+  ASSERT_FALSE(setup);
+  EXPECT_EQ(setup.error().code, ErrorCode::kMismatch);
+  EXPECT_NE(setup.error().message.find("calibration.file: made at 640x480"), std::string::npos);
+  EXPECT_NE(setup.error().message.find("320x240"), std::string::npos);
+}
+
 TEST(UnitSetupTest, TheSetupChangesWithWhatAPoseMeansAndWithNothingElse) {
   const std::uint16_t setup = demo_setup()->constants.identity.setup;
   EXPECT_NE(demo_setup({"output.frame=left_camera"})->constants.identity.setup, setup);
@@ -66,7 +74,7 @@ TEST(UnitSetupTest, TheLeftCameraFrameTurnsPointsIntoIt) {
 TEST(FitsCalibrationTest, AnotherSerialOrSizeDoesNotFit) {
   const Result<UnitSetup> setup = demo_setup();
   ASSERT_TRUE(setup);
-  const CalibrationFits fits = fits_calibration(setup->calibration);
+  const CalibrationFits fits = fits_calibration(setup->calibration, CameraSource::kSimulation);
   EXPECT_TRUE(fits({camera("SIM-LEFT"), camera("SIM-RIGHT")}));
   EXPECT_FALSE(fits({camera("SIM-RIGHT"), camera("SIM-LEFT")}));
   EXPECT_FALSE(fits({camera("SIM-LEFT"), camera("SIM-RIGHT", {320, 240})}));
@@ -75,7 +83,36 @@ TEST(FitsCalibrationTest, AnotherSerialOrSizeDoesNotFit) {
 TEST(FitsCalibrationTest, ACameraThatDoesNotDeliverIsNotJudged) {
   const Result<UnitSetup> setup = demo_setup();
   ASSERT_TRUE(setup);
-  EXPECT_TRUE(fits_calibration(setup->calibration)({CameraStatus{}, camera("SIM-RIGHT")}));
+  EXPECT_TRUE(fits_calibration(setup->calibration, CameraSource::kSimulation)({CameraStatus{}, camera("SIM-RIGHT")}));
+}
+
+TEST(FitsCalibrationTest, ACameraThatGoesAwayKeepsItsJudgement) {
+  const Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup);
+  const CalibrationFits fits = fits_calibration(setup->calibration, CameraSource::kSimulation);
+  EXPECT_FALSE(fits({camera("OTHER"), camera("SIM-RIGHT")}));
+  EXPECT_FALSE(fits({CameraStatus{}, camera("SIM-RIGHT")}));
+}
+
+TEST(FitsCalibrationTest, EqualSerialsAreToldApartByTheirPorts) {
+  Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup);
+  setup->calibration->serial = {"SN0001", "SN0001"};
+  setup->calibration->port = {"1-1", "1-2"};
+  CameraStatus left = camera("SN0001");
+  CameraStatus right = camera("SN0001");
+  left.info.port = "1-1";
+  right.info.port = "1-2";
+  EXPECT_TRUE(fits_calibration(setup->calibration, CameraSource::kV4l2)({left, right}));
+  EXPECT_FALSE(fits_calibration(setup->calibration, CameraSource::kV4l2)({right, left}));
+}
+
+TEST(FitsCalibrationTest, ARecordingIsJudgedByItsSizeAlone) {
+  const Result<UnitSetup> setup = demo_setup();
+  ASSERT_TRUE(setup);
+  const CalibrationFits fits = fits_calibration(setup->calibration, CameraSource::kRecording);
+  EXPECT_TRUE(fits({camera(""), camera("")}));
+  EXPECT_FALSE(fits({camera("", {320, 240}), camera("")}));
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <string>
 
+#include "places.h"
+
 namespace tripoint::test {
 namespace {
 
@@ -106,10 +108,6 @@ std::vector<std::uint8_t> png_of(ImageSize size, bool colour, const std::vector<
   return png;
 }
 
-std::filesystem::path shared_data() {
-  const char* chosen = std::getenv("TRIPOINT_SHARED");
-  const std::filesystem::path beside = std::filesystem::path(TRIPOINT_TESTS_DIR) / ".." / ".." / "shared";
-  return (chosen != nullptr ? std::filesystem::path(chosen) : beside) / "data";
-}
+std::filesystem::path shared_data() { return shared_folder() / "data"; }
 
 }  // namespace tripoint::test

@@ -41,7 +41,7 @@ TEST_F(V4l2OpenTest, InfoIsWhatTheCameraAgreedTo) {
   EXPECT_EQ(info.serial, "RIGHT-001");
   EXPECT_EQ(info.exposure, std::chrono::microseconds(2000));
   EXPECT_NEAR(info.rate_hz, 30.0, 0.001);
-  EXPECT_THAT((*camera)->missing_controls(), ElementsAre("gain_automatic"));
+  EXPECT_THAT((*camera)->info().missing_controls, ElementsAre("gain_automatic"));
 }
 
 TEST_F(V4l2OpenTest, TheStreamIsOnAsLongAsTheCameraExists) {

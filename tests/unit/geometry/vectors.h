@@ -8,11 +8,12 @@
 
 #include "geometry/rig.h"
 #include "geometry/triangulation.h"
+#include "places.h"
 
 namespace tripoint::testing {
 
 inline nlohmann::json vectors(const std::string& name) {
-  std::ifstream file{std::string{TRIPOINT_TESTS_DIR} + "/vectors/paper_equations.json"};
+  std::ifstream file{test::top_folder() / "tests/vectors/paper_equations.json"};
   return nlohmann::json::parse(file).at(name);
 }
 

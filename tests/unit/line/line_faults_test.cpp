@@ -198,16 +198,16 @@ TEST(LineFaultsTest, AModelOfNonsenseGivesNoPose) {
   EXPECT_TRUE(measurement.points.empty());
 }
 
-TEST(LineFaultsTest, AWarningStaysTenSecondsAfterItsCause) {
+TEST(LineFaultsTest, AWarningIsThatOfThisVeryMeasurement) {  // registers hold it for ten seconds, not the line
   Shooting shooting;
-  shooting.duration_s = 14.0;
+  shooting.duration_s = 4.0;
   const LineModel model = webcam_model();
   auto events = shot(model, {at_rest(kMiddle)}, shooting);
   std::get<Observation>(events[60]).points[0].saturated = true;  // both exposed 1 s after the first
   std::get<Observation>(events[61]).points[0].saturated = true;
   for (const Measurement& measurement : verdicts(model, events)) {
     const double since_s = testing::exposed_s(measurement) - 2.0;
-    EXPECT_EQ(measurement.warnings.contains(Warning::kSaturatedSpot), since_s > -0.001 && since_s < 10.001) << since_s;
+    EXPECT_EQ(measurement.warnings.contains(Warning::kSaturatedSpot), std::abs(since_s) < 0.001) << since_s;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
 #include "serve/image.h"
 #include "states.h"
 
@@ -15,7 +16,7 @@ namespace {
 using namespace tripoint::test;
 
 TEST(GoldenTest, ThePositionReadsAsTheContractSays) {
-  std::ifstream file(std::string(TRIPOINT_FIRMWARE_DIR) + "/contract/golden/position.json");
+  std::ifstream file(test::top_folder() / "firmware/contract/golden/position.json");
   ASSERT_TRUE(file.is_open());
   const auto golden = nlohmann::json::parse(file)["registers"];
   ASSERT_GE(golden.size(), 30U);

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+#include "places.h"
+
 namespace tripoint {
 namespace {
 
@@ -21,7 +23,7 @@ Matrix3 turned(double a, double b, double c) {
 }
 
 TEST(OrientationTest, AgreesWithThePublishedVectors) {
-  std::ifstream file(std::string(TRIPOINT_TESTS_DIR) + "/vectors/paper_equations.json");
+  std::ifstream file(test::top_folder() / "tests/vectors/paper_equations.json");
   ASSERT_TRUE(file.is_open());
   const auto vectors = nlohmann::json::parse(file)["D_roll_pitch_yaw"];
   ASSERT_GE(vectors.size(), 6U);

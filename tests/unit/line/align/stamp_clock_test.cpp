@@ -105,15 +105,22 @@ TEST(StampClockTest, AStepIsDoubtedAtOnceAndBelievedAfterFourStamps) {
     ++frame;
   };
   while (frame < 300) take(0.0);
-  take(0.025);
-  EXPECT_LT(clock.sigma_s(), 0.5e-3) << "one late stamp is an outlier";
-  take(0.025);
-  EXPECT_GT(clock.sigma_s(), 20e-3) << "two are a doubt";
-  take(0.025);
-  take(0.025);
+  take(0.010);
+  EXPECT_LT(clock.sigma_s(), 0.5e-3) << "one stamp late by less than half a period is an outlier";
+  take(0.010);
+  EXPECT_GT(clock.sigma_s(), 7e-3) << "two are a doubt";
+  take(0.010);
+  take(0.010);
   // four stamps of 1 ms jitter: their median is good to 1.25 ms / 2
-  EXPECT_NEAR(seconds(clock.time_of(frame - 1).time_since_epoch()), 1.0 + (frame - 1) / 30.0 + 0.025, 2.5e-3);
+  EXPECT_NEAR(seconds(clock.time_of(frame - 1).time_since_epoch()), 1.0 + (frame - 1) / 30.0 + 0.010, 2.5e-3);
   EXPECT_NEAR(seconds(clock.period()), 1.0 / 30.0, 1e-5) << "the period known before is kept";
+}
+
+TEST(StampClockTest, OneStampLateByAFrameIsADoubtAtOnce) {
+  StampClock clock;
+  for (std::uint32_t frame = 0; frame < 300; ++frame) clock.take(frame, at(1.0 + frame / 30.0));
+  clock.take(300, at(1.0 + 301.0 / 30.0));  // the bus lost a picture and the driver did not number it
+  EXPECT_GT(clock.sigma_s(), 30e-3);
 }
 
 TEST(StampClockTest, ASmallLastingStepIsFoundByItsDrift) {

@@ -94,6 +94,76 @@ TEST(SpotFitTest, HiddenClippedCoreLeavesTheCovarianceTrue) {
   EXPECT_LT(result.rms_px, 0.05);
 }
 
+TEST(SpotFitTest, FadedCoreDoesNotUnderstateTheCovariance) {
+  // The fit takes a faded pixel for a noisier one than it is, so that it states too much rather than too little: chi2
+  // may exceed 1 by 4 standard deviations (0.09) and 3 % only. At half of that, twice the variance would be stated.
+  std::mt19937 random(22);
+  constexpr int kDraws = 2000;
+  double chi2_per_axis = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const SpotModel truth{8.3, 7.8, 2.0, 80.0, kBackground};
+    const auto window = painted(truth, 17, 255.0, random);
+    window->fade_around(truth.column, truth.row, 1.5, 4.5);
+    const auto fit = fit_spot(*window, truth);
+    ASSERT_TRUE(fit);
+    const Vec2 error(fit->model.column - truth.column, fit->model.row - truth.row);
+    chi2_per_axis += 0.5 * error.dot(fit->covariance_px2.inverse() * error) / kDraws;
+  }
+  EXPECT_LT(chi2_per_axis, 1.12);
+  EXPECT_GT(chi2_per_axis, 0.5);
+}
+
+/// A spot as only the red pixels of the mosaic see it (even columns of even rows), clipped and interpolated.
+std::unique_ptr<FitWindow> mosaic(const SpotModel& spot, int side, double clip) {
+  const auto red = [&](int column, int row) {
+    return std::min(clip, spot.amplitude * integrated(column, spot.column, spot.sigma_px) *
+                              integrated(row, spot.row, spot.sigma_px));
+  };
+  auto window = std::make_unique<FitWindow>();
+  window->resize(side, side);
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const int u = column & 1;
+      const int v = row & 1;
+      const double value = 0.25 * (red(column - u, row - v) + red(column + u, row - v) + red(column - u, row + v) +
+                                   red(column + u, row + v));
+      window->set(column, row, static_cast<float>(value), 1.0F);
+    }
+  }
+  return window;
+}
+
+/// RMS error of the centre over 8 x 8 places in the mosaic's cell, without noise, clipped at half the amplitude.
+double mosaic_error_px(double sigma_px, bool faded) {
+  constexpr double kClip = 100.0;
+  double squares_px2 = 0.0;
+  for (int place = 0; place < 64; ++place) {
+    const SpotModel truth{9.0 + place % 8 / 4.0, 9.0 + place / 8 / 4.0, sigma_px, 2.0 * kClip, 0.0};
+    const auto window = mosaic(truth, 21, kClip);
+    int clipped = 0;
+    for (int row = 0; row < 21; ++row) {
+      for (int column = 0; column < 21; ++column) {
+        if (window->value(column, row) < 0.8F * static_cast<float>(kClip)) continue;
+        ++clipped;
+        if (!faded) window->hide_around(column, row);
+      }
+    }
+    const double clipped_px = std::sqrt(clipped / std::numbers::pi);
+    if (faded) window->fade_around(truth.column, truth.row, clipped_px, clipped_px + 3.0);
+    const auto fit = fit_spot(*window, truth);
+    if (!fit) return 1e9;
+    squares_px2 +=
+        0.5 * (std::pow(fit->model.column - truth.column, 2) + std::pow(fit->model.row - truth.row, 2)) / 64.0;
+  }
+  return std::sqrt(squares_px2);
+}
+
+TEST(SpotFitTest, FadedCoreIsDisplacedLessByTheMosaicThanAHiddenOne) {
+  for (const double sigma_px : {1.5, 1.9, 2.3}) {
+    EXPECT_LT(mosaic_error_px(sigma_px, true), 0.9 * mosaic_error_px(sigma_px, false)) << "sigma " << sigma_px;
+  }
+}
+
 TEST(SpotFitTest, FewerThanTwelveVisiblePixelsGiveNothing) {
   std::mt19937 random(3);
   const SpotModel spot{2.0, 2.0, 1.0, 100.0, kBackground};

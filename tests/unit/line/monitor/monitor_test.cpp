@@ -37,16 +37,6 @@ TEST(MonitorTest, TheEpipolarRmsFollowsTheResiduals) {
   EXPECT_NEAR(monitor.completed(Measurement{}, webcam_model()).epipolar_rms_px, std::sqrt(0.05), 0.003);
 }
 
-TEST(MonitorTest, WarningsLastTenSecondsOfTheEventsTime) {
-  Monitor monitor;
-  const LineModel model = webcam_model();
-  Measurement cause = measured(100.0, {0, 0, 400});
-  cause.warnings.insert(Warning::kFramesDropped);
-  monitor.learn(cause, {});
-  EXPECT_EQ(monitor.completed(measured(109.9, {0, 0, 400}), model).warnings, Warnings{Warning::kFramesDropped});
-  EXPECT_TRUE(monitor.completed(measured(110.1, {0, 0, 400}), model).warnings.empty());
-}
-
 TEST(MonitorTest, ForecastsTheSpotInBothPictures) {
   Monitor monitor;
   LineModel model = webcam_model();
