@@ -168,8 +168,10 @@ void Inspector::fill_fit_window(Channel channel) {
       const double d2 = (column - area_.column) * (column - area_.column) + (row - area_.row) * (row - area_.row);
       const std::size_t i = SpotWindow::index(column, row);
       if (d2 > reach2 || window_.outside(i)) continue;
-      seen_.hidden_pixels += hidden(i) ? 1 : 0;
-      own_hidden_pixels_ += hidden(i) && flood_.holds(i) ? 1 : 0;
+      if (hidden(i)) {
+        ++seen_.hidden_pixels;
+        own_hidden_pixels_ += flood_.holds(i) ? 1 : 0;
+      }
       peak_luma_ = std::max(peak_luma_, window_.luma(i));
       const float value = channel == Channel::kLuma ? static_cast<float>(window_.luma(i))
                                                     : 0.25F * static_cast<float>(window_.strength(i));

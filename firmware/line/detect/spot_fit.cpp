@@ -17,7 +17,7 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 constexpr int kMaxSteps = 7;
 constexpr int kFewestPixels = 12;
-constexpr double kSettled_px = 0.003;
+constexpr double kSettled_px = 0.02;  ///< of centre and sigma; the step itself leaves a small part of it
 constexpr double kDamping = 1e-3;
 constexpr double kLargestAmplitude = 20'000.0;
 
@@ -222,9 +222,10 @@ std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start)
     damped.diagonal().array() += 1e-9;
     const Vector5 scaled_step = damped.ldlt().solve(normal.gradient);
     if (!scaled_step.allFinite()) return std::nullopt;
-    const double moved_px = scaled_step.head<2>().cwiseAbs().maxCoeff() / model.amplitude;
+    const double moved_px =
+        std::max(scaled_step.head<2>().cwiseAbs().maxCoeff(), std::abs(scaled_step(4))) / model.amplitude;
     model = stepped(model, scaled_step);
-    if (step >= 1 && moved_px < kSettled_px) break;
+    if (moved_px < kSettled_px) break;
   }
   return fit_from(normal_equations(window, model), model);
 }
