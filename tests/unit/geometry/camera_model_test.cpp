@@ -24,7 +24,7 @@ CameraModel with_distortion(const std::array<double, 5>& distortion) {
 
 TEST(CameraModelTest, ProjectionAgreesWithThePublishedVectorsInBothCameras) {
   const StereoCalibration calibration = general_calibration();
-  for (const auto& point : vectors("E_general_model").at("points")) {
+  for (const auto& point : vectors("E_general_model", "points")) {
     const Vec3 in_left = vec3(point.at("X_left_mm"));
     const RawPixel left = projected(calibration.cameras.left, in_left).value();
     const RawPixel right = projected(calibration.cameras.right, calibration.right_from_left * in_left).value();
@@ -37,7 +37,7 @@ TEST(CameraModelTest, ProjectionAgreesWithThePublishedVectorsInBothCameras) {
 
 TEST(CameraModelTest, UndistortionAgreesWithThePublishedVectors) {
   const StereoCalibration calibration = general_calibration();
-  for (const auto& point : vectors("E_general_model").at("points")) {
+  for (const auto& point : vectors("E_general_model", "points")) {
     const Vec3 in_left = vec3(point.at("X_left_mm"));
     const NormalizedPoint at = undistorted(calibration.cameras.left, pixel(point.at("left_px"))).value();
     EXPECT_NEAR(at.x, in_left.x() / in_left.z(), 1e-12);

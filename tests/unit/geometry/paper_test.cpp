@@ -121,7 +121,7 @@ TEST(PaperTest, InUprightPixelsThePublishedConvergingPointsComeOut) {
 
 TEST(PaperTest, ForAnyRigExactPixelsGiveThePublishedPoints) {
   const Rig rig = general_rig();
-  for (const auto& e : vectors("E_general_model").at("points")) {
+  for (const auto& e : vectors("E_general_model", "points")) {
     const auto point =
         triangulated_by_paper(rig, {{testing::pixel(e.at("left_px"))}, {testing::pixel(e.at("right_px"))}});
     ASSERT_TRUE(point.has_value());

@@ -153,7 +153,7 @@ TEST(RigTest, TheBaselineIsTheLengthOfTheTranslation) {
 TEST(RigTest, TheEssentialMatrixIsZeroForMatchingDirections) {
   const StereoCalibration calibration = general_calibration();
   const Matrix3 essential = essential_matrix(general_rig());
-  for (const auto& point : testing::vectors("E_general_model").at("points")) {
+  for (const auto& point : testing::vectors("E_general_model", "points")) {
     const Vec3 in_left = testing::vec3(point.at("X_left_mm"));
     const Vec3 in_right = calibration.right_from_left * in_left;
     // Products of about 100 mm times numbers of one: rounding 1e-13.

@@ -32,7 +32,7 @@ ErrorCode error_of(const Rig& rig, const PerSide<MeasuredPixel>& seen) {
 
 TEST(TriangulationTest, ExactPixelsGiveThePublishedPoints) {
   const Rig rig = general_rig();
-  for (const auto& point : vectors("E_general_model").at("points")) {
+  for (const auto& point : vectors("E_general_model", "points")) {
     const auto result = triangulated(rig, {{pixel(point.at("left_px"))}, {pixel(point.at("right_px"))}});
     ASSERT_TRUE(result.has_value());
     // Rounding of the pixels, 6e-14, times at most 5 mm per px, times a few operations.

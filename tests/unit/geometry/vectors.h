@@ -17,6 +17,9 @@ inline nlohmann::json vectors(const std::string& name) {
   return nlohmann::json::parse(file).at(name);
 }
 
+/// A copy of one part: a reference into `vectors(name)` would outlive it in a range-based for.
+inline nlohmann::json vectors(const std::string& name, const std::string& part) { return vectors(name).at(part); }
+
 inline double number(const nlohmann::json& j) { return j.get<double>(); }
 inline Vec2 vec2(const nlohmann::json& x, const nlohmann::json& y) { return {number(x), number(y)}; }
 inline Vec3 vec3(const nlohmann::json& j) { return {number(j.at(0)), number(j.at(1)), number(j.at(2))}; }
