@@ -48,11 +48,11 @@ Area Flood::spread(const SpotWindow& window, std::size_t seed, int level) {
   }
   Sums sums;
   bool cut = false;
-  std::size_t waiting = 0;
   marked_[seed] = 1;
-  stack_[waiting++] = static_cast<std::uint16_t>(seed);
-  while (waiting > 0) {
-    const std::size_t here = stack_[--waiting];
+  reached_[0] = static_cast<std::uint16_t>(seed);
+  pixels_ = 1;
+  for (std::size_t next_out = 0; next_out < pixels_; ++next_out) {
+    const std::size_t here = reached_[next_out];
     const int row = static_cast<int>(here / kStride);
     const int column = static_cast<int>(here % kStride);
     if (column == 0 || row == 0 || column == window.columns() - 1 || row == window.rows() - 1) {
@@ -63,7 +63,7 @@ Area Flood::spread(const SpotWindow& window, std::size_t seed, int level) {
       cut |= window.outside(next);
       if (marked_[next] != 0 || window.strength(next) < level) continue;
       marked_[next] = 1;
-      stack_[waiting++] = static_cast<std::uint16_t>(next);
+      reached_[pixels_++] = static_cast<std::uint16_t>(next);
     }
   }
   Area area = area_from(sums);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "line/detect/spot_window.h"
 
@@ -29,10 +31,13 @@ class Flood {
 
   /// Whether a pixel belongs to the area of the last `spread`.
   [[nodiscard]] bool holds(std::size_t index) const { return marked_[index] != 0; }
+  /// The window indices of that area.
+  [[nodiscard]] std::span<const std::uint16_t> area() const { return {reached_.data(), pixels_}; }
 
  private:
   std::array<std::uint8_t, SpotWindow::kPixels> marked_{};
-  std::array<std::uint16_t, SpotWindow::kPixels> stack_{};
+  std::array<std::uint16_t, SpotWindow::kPixels> reached_{};
+  std::size_t pixels_ = 0;
 };
 
 }  // namespace tripoint

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "line/detect/falloff.h"
 
@@ -12,14 +11,11 @@ namespace {
 
 /// Of the contrast: a spot beside another stands alone higher up.
 constexpr std::array<double, 3> kLevels{0.5, 0.7, 0.85};
-constexpr double kAloneAspect = 1.82;       ///< longer than this, the next level is tried
-constexpr double kSplitLevel = 0.6;         ///< above it only the top of the spot stood alone
-constexpr double kLargestLumaShare = 1.15;  ///< the spot may not be wider in Y than in S
-constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's centre against the area's
-constexpr double kRoundAspect = 1.2;        ///< up to it an ellipse is taken for one LED seen from the side
-constexpr double kUsualMisfit = 0.05;       ///< of the amplitude: tone curve, halo and mosaic
+constexpr double kAloneAspect = 1.82;   ///< longer than this, the next level is tried
+constexpr double kSplitLevel = 0.6;     ///< above it only the top of the spot stood alone
+constexpr double kRoundAspect = 1.2;    ///< up to it an ellipse is taken for one LED seen from the side
+constexpr double kUsualMisfit = 0.05;   ///< of the amplitude: tone curve, halo and mosaic
 constexpr double kDoubtOfMisfit = 3.0;  ///< px of error for each px of sigma and misfit: rendered hidden and near spots
-constexpr double kFade_px = 3.0;        ///< over more than the mosaic's cell of 2 px
 constexpr double kPixelGrain_px2 = 0.45;  ///< long^2 - short^2 of a block of 3 by 2 pixels
 constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly hidden
 
@@ -151,145 +147,60 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   return seen_.emission < static_cast<float>(settings_.min_emission) ? DropCause::kNotEmitting : DropCause::kKept;
 }
 
-void Inspector::fill_fit_window(Channel channel) {
-  const int reach = std::clamp(static_cast<int>(std::ceil(2.0 * area_.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
-  const auto center_column = static_cast<int>(std::lround(area_.column));
-  const auto center_row = static_cast<int>(std::lround(area_.row));
-  fit_left_ = std::max(0, center_column - reach);
-  fit_top_ = std::max(0, center_row - reach);
-  const int right = std::min(window_.columns() - 1, center_column + reach);
-  const int bottom = std::min(window_.rows() - 1, center_row + reach);
-  fit_window_.resize(right - fit_left_ + 1, bottom - fit_top_ + 1);
-  const double reach2 = (reach + 0.5) * (reach + 0.5);
-  seen_.hidden_pixels = own_hidden_pixels_ = 0;
-  peak_luma_ = 0;
-  for (int row = fit_top_; row <= bottom; ++row) {
-    for (int column = fit_left_; column <= right; ++column) {
-      const double d2 = (column - area_.column) * (column - area_.column) + (row - area_.row) * (row - area_.row);
-      const std::size_t i = SpotWindow::index(column, row);
-      if (d2 > reach2 || window_.outside(i)) continue;
-      if (hidden(i)) {
-        ++seen_.hidden_pixels;
-        own_hidden_pixels_ += flood_.holds(i) ? 1 : 0;
-      }
-      peak_luma_ = std::max(peak_luma_, window_.luma(i));
-      const float value = channel == Channel::kLuma ? static_cast<float>(window_.luma(i))
-                                                    : 0.25F * static_cast<float>(window_.strength(i));
-      fit_window_.set(column - fit_left_, row - fit_top_, value, 1.0F);
-    }
-  }
-}
-
-bool Inspector::hidden(std::size_t i) const {
-  return window_.strength(i) >= settings_.hide_above || window_.luma(i) >= settings_.luma_clip;
-}
-
-/// Demosaicing carries a clipped value into the neighbours: they are hidden too.
-void Inspector::hide_clipped(Core own_core) {
-  for (int row = 0; row < fit_window_.rows(); ++row) {
-    for (int column = 0; column < fit_window_.columns(); ++column) {
-      const std::size_t i = SpotWindow::index(fit_left_ + column, fit_top_ + row);
-      if (hidden(i) && (own_core == Core::kHidden || !flood_.holds(i))) fit_window_.hide_around(column, row);
-    }
-  }
-}
-
-/// The model never fits wholly (halo, mosaic). Hidden pixel by pixel, the core leaves a ragged edge, another one at
-/// each place in the mosaic's cell, which turns the misfit into an error of the centre; a disc that fades does not.
-/// How well the model fits stays what all pixels that show have said.
-SpotFit Inspector::fitted_with_fading_core(const SpotFit& spot, Channel channel) {
-  fill_fit_window(channel);
-  hide_clipped(Core::kShown);
-  const double clipped_px = std::sqrt(own_hidden_pixels_ / std::numbers::pi);
-  if (own_hidden_pixels_ > 0) {
-    fit_window_.fade_around(spot.model.column, spot.model.row, clipped_px, clipped_px + kFade_px);
-  }
-  auto better = fit_spot(fit_window_, spot.model);
-  if (!better) return spot;
-  better->noise = spot.noise;
-  better->visible_amplitude = spot.visible_amplitude;
-  return *better;
-}
-
-std::optional<SpotFit> Inspector::fit_channel(Channel channel) {
-  fill_fit_window(channel);
-  const double background = channel == Channel::kLuma ? around_.luma : 0.25 * around_.strength;
-  const SpotModel start = threshold_subtracted_start(fit_window_, background);
-  if (seen_.hidden_pixels > 0) hide_clipped(Core::kHidden);
-  auto spot = fit_spot(fit_window_, start);
-  if (spot && seen_.hidden_pixels > 0) spot = fitted_with_fading_core(*spot, channel);
-  return spot && distance_from_area_px(*spot) < 0.5 * area_.radius_px() + 0.7 ? spot : std::nullopt;
-}
-
-/// Radius of the fitted Gaussian at the level of the area, over the area's radius.
-double Inspector::share_of_radius(const SpotFit& spot) const {
-  const double radius_px = spot.model.sigma_px * std::sqrt(-2.0 * std::log(static_cast<double>(seen_.level)));
-  return radius_px / area_.radius_px();
-}
-
-double Inspector::distance_from_area_px(const SpotFit& spot) const {
-  return std::hypot(fit_left_ + spot.model.column - area_.column, fit_top_ + spot.model.row - area_.row);
-}
-
-/// Y must be strong enough, and tell of the same spot as S: a white reflection beside the LED pulls Y only.
-bool Inspector::luma_suffices(const SpotFit& spot) const {
-  return spot.visible_amplitude >= settings_.weak_amplitude &&
-         spot.noise <= settings_.max_residual * spot.visible_amplitude &&
-         0.5 * spot.covariance_px2.trace() <= settings_.weak_sigma_px * settings_.weak_sigma_px &&
-         share_of_radius(spot) <= kLargestLumaShare &&
-         distance_from_area_px(spot) <= kSameCenter * (1.0 + area_.radius_px());
-}
-
 DropCause Inspector::fit(const Picture& picture) {
-  Channel channel = Channel::kLuma;
-  auto spot = fit_channel(channel);
-  if (!spot || !luma_suffices(*spot)) {
-    channel = Channel::kStrength;
-    spot = fit_channel(channel);
-  }
-  if (!spot) return DropCause::kFitFailed;
-  note_fit(*spot, channel);
-  if (channel == Channel::kStrength && spot->visible_amplitude < settings_.min_amplitude) return DropCause::kWeak;
-  const DropCause cause = check_fit(*spot, picture);
-  if (cause == DropCause::kKept) make_point(*spot, channel);
+  const auto measured = measurer_.measure({.window = window_,
+                                           .flood = flood_,
+                                           .area = area_,
+                                           .around = around_,
+                                           .level = static_cast<double>(seen_.level)});
+  if (!measured) return DropCause::kFitFailed;
+  note(*measured);
+  const DropCause cause = check(*measured, picture);
+  if (cause == DropCause::kKept) make_point(*measured);
   return cause;
 }
 
-void Inspector::note_fit(const SpotFit& spot, Channel channel) {
-  const double amplitude = std::max(spot.visible_amplitude, 1.0);
-  const RingNoise ring = ring_noise(window_, area_);
-  const double noise = channel == Channel::kLuma ? ring.luma : 0.25 * ring.strength;
-  seen_.at = {window_.left_px() + fit_left_ + spot.model.column, window_.top_px() + fit_top_ + spot.model.row};
-  seen_.sigma_px = static_cast<float>(spot.model.sigma_px);
-  seen_.amplitude = static_cast<float>(spot.visible_amplitude);
-  seen_.residual = static_cast<float>(spot.noise / amplitude);
-  seen_.misfit = static_cast<float>(std::sqrt(std::max(0.0, spot.noise * spot.noise - noise * noise)) / amplitude);
+void Inspector::note(const SpotMeasurement& measured) {
+  const SpotFit& fit = measured.fit;
+  const double amplitude = std::max(fit.visible_amplitude, 1.0);
+  const double unexplained = std::max(0.0, fit.noise * fit.noise - measured.ground_noise * measured.ground_noise);
+  seen_.at = {window_.left_px() + fit.model.column, window_.top_px() + fit.model.row};
+  seen_.sigma_px = static_cast<float>(fit.model.sigma_px);
+  seen_.amplitude = static_cast<float>(fit.visible_amplitude);
+  seen_.residual = static_cast<float>(fit.noise / amplitude);
+  seen_.misfit = static_cast<float>(std::sqrt(unexplained) / amplitude);
+  seen_.hidden_pixels = measured.hidden_pixels;
 }
 
-DropCause Inspector::check_fit(const SpotFit& spot, const Picture& picture) const {
+DropCause Inspector::check(const SpotMeasurement& measured, const Picture& picture) const {
+  if (measured.channel == Channel::kStrength && measured.fit.visible_amplitude < settings_.min_amplitude) {
+    return DropCause::kWeak;
+  }
   if (static_cast<double>(seen_.residual) > settings_.max_residual) return DropCause::kPoorFit;
+  const double sigma_px = measured.fit.model.sigma_px;
   const double largest_px = std::max(settings_.max_sigma_px, settings_.max_sigma_of_width * picture.size.width_px);
-  if (spot.model.sigma_px < settings_.min_sigma_px || spot.model.sigma_px > largest_px) return DropCause::kWrongSize;
-  const double share = share_of_radius(spot);
+  if (sigma_px < settings_.min_sigma_px || sigma_px > largest_px) return DropCause::kWrongSize;
+  const double share = measured.share_of_radius;
   return share < 0.3 || share > 1.35 ? DropCause::kWrongProfile : DropCause::kKept;
 }
 
-void Inspector::make_point(const SpotFit& spot, Channel channel) {
-  const bool by_strength = channel == Channel::kStrength;
+void Inspector::make_point(const SpotMeasurement& measured) {
+  const SpotFit& fit = measured.fit;
+  const bool by_strength = measured.channel == Channel::kStrength;
   double doubt_px2 = settings_.floor_px * settings_.floor_px;
   if (static_cast<double>(seen_.level) > kSplitLevel || by_strength) {
     doubt_px2 += settings_.split_floor_px * settings_.split_floor_px;
   }
   const double stretched_px = doubt_of_stretched_px(area_);
   const double misfit_px =
-      kDoubtOfMisfit * spot.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
+      kDoubtOfMisfit * fit.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
   doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px;
   point_ = ImagePoint{.at = seen_.at,
-                      .covariance_px2 = spot.covariance_px2 + doubt_px2 * Matrix2::Identity(),
+                      .covariance_px2 = fit.covariance_px2 + doubt_px2 * Matrix2::Identity(),
                       .label = std::nullopt,
-                      .amplitude = spot.visible_amplitude,
-                      .sigma_px = spot.model.sigma_px,
-                      .peak = static_cast<double>(peak_luma_),
+                      .amplitude = fit.visible_amplitude,
+                      .sigma_px = fit.model.sigma_px,
+                      .peak = static_cast<double>(measured.peak_luma),
                       .saturated = seen_.peak >= static_cast<float>(settings_.clip),
                       .weak = by_strength};
 }

@@ -9,7 +9,7 @@ namespace tripoint {
 namespace {
 
 double mean_of_sparse_luma(const Picture& picture) {
-  constexpr int kStep = 16;
+  constexpr int kStep = 32;
   long sum = 0;
   long count = 0;
   for (int v = kStep / 2; v < picture.size.height_px; v += kStep) {
@@ -50,7 +50,7 @@ void LedDetector::look(const Picture& picture, PixelPlace start) {
     }
     keep(inspector_.inspect(picture, *next));
     if (log_.back().cause != DropCause::kKept) return;
-    next = reddest_beside(picture, log_.back(), settings_.min_red);
+    next = reddest_beside(picture, map_, log_.back(), settings_.min_red);
   }
 }
 

@@ -17,7 +17,6 @@ using Vector5 = Eigen::Matrix<double, 5, 1>;
 
 constexpr int kMaxSteps = 7;
 constexpr int kFewestPixels = 12;
-constexpr double kSettled_px = 0.02;  ///< of centre and sigma; the step itself leaves a small part of it
 constexpr double kDamping = 1e-3;
 constexpr double kLargestAmplitude = 20'000.0;
 
@@ -32,6 +31,13 @@ struct Normal {
 
 double sum(Floats4 v) {
   return static_cast<double>(v[0]) + static_cast<double>(v[1]) + static_cast<double>(v[2]) + static_cast<double>(v[3]);
+}
+
+/// 0 below 0, 1 above 1.
+Floats4 clamped(Floats4 v) {
+  const Floats4 one = Floats4{} + 1.0F;
+  v = v > 0.0F ? v : Floats4{};
+  return v < one ? v : one;
 }
 
 /// Sums over one row of products of the profile e and its derivatives d (centre) and q (sigma), and of weighted
@@ -131,19 +137,50 @@ SpotModel stepped(const SpotModel& model, const Vector5& scaled_step) {
           .background = model.background + scaled_step(3)};
 }
 
-std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model) {
+/// What the normal equations at a place next to the minimum say of the minimum: they differ only in the residuals, and
+/// there by what the step to it, times the gradient, takes off the sum of squares.
+std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model, const Vector5& scaled_step) {
   const Eigen::LDLT<Matrix5> solver(normal.matrix);
   if (normal.pixels < kFewestPixels || !solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
-  const Matrix5 inverse = solver.solve(Matrix5::Identity());
-  const double variance = normal.squares / (normal.pixels - 5.0);
+  Matrix2 inverse;
+  inverse << solver.solve(Vector5::Unit(0)).head<2>(), solver.solve(Vector5::Unit(1)).head<2>();
+  const double squares = std::max(0.0, normal.squares - scaled_step.dot(normal.gradient));
+  const double variance = squares / (normal.pixels - 5.0);
   const double per_px2 = variance / (model.amplitude * model.amplitude);
   SpotFit fit{.model = model,
-              .covariance_px2 = inverse.topLeftCorner<2, 2>() * per_px2,
+              .covariance_px2 = inverse * per_px2,
               .noise = std::sqrt(variance),
               .visible_amplitude = model.amplitude * normal.visible,
               .pixels = static_cast<int>(normal.pixels)};
   if (!fit.covariance_px2.allFinite()) return std::nullopt;
   return fit;
+}
+
+/// Moments of what rises above a threshold, row by row.
+struct Moments {
+  Floats4 n{}, x{}, xx{};
+  float y = 0.0F, yy = 0.0F;
+};
+
+Moments moments_above(const FitWindow& window, float threshold) {
+  Moments all;
+  for (int row = 0; row < window.rows(); ++row) {
+    Floats4 n{};
+    Floats4 u{0.0F, 1.0F, 2.0F, 3.0F};
+    for (int column = 0; column < window.columns(); column += 4, u += 4.0F) {
+      const Floats4 rise = loaded<Floats4>(window.values(row) + column) - threshold;
+      const Floats4 above = rise > 0.0F ? rise : Floats4{};
+      n += above;
+      all.x += above * u;
+      all.xx += above * u * u;
+    }
+    all.n += n;
+    const auto v = static_cast<float>(row);
+    const auto in_row = static_cast<float>(sum(n));
+    all.y += in_row * v;
+    all.yy += in_row * v * v;
+  }
+  return all;
 }
 
 }  // namespace
@@ -152,8 +189,9 @@ void FitWindow::resize(int columns, int rows) {
   TRIPOINT_ASSERT(columns > 0 && columns <= kMaxSide && rows > 0 && rows <= kMaxSide);
   columns_ = columns;
   rows_ = rows;
-  std::fill_n(values_.begin(), rows * kMaxSide, 0.0F);
-  std::fill_n(weights_.begin(), rows * kMaxSide, 0.0F);
+  stride_ = (static_cast<std::size_t>(columns) + 3) & ~std::size_t{3};
+  std::fill_n(values_.begin(), static_cast<std::size_t>(rows) * stride_, 0.0F);
+  std::fill_n(weights_.begin(), static_cast<std::size_t>(rows) * stride_, 0.0F);
 }
 
 void FitWindow::hide_around(int column, int row) {
@@ -166,53 +204,41 @@ void FitWindow::hide_around(int column, int row) {
 
 void FitWindow::fade_around(double column, double row, double from_px, double to_px) {
   TRIPOINT_ASSERT(from_px < to_px);
-  const int first_column = std::max(0, static_cast<int>(std::ceil(column - to_px)));
-  const int last_column = std::min(columns_ - 1, static_cast<int>(std::floor(column + to_px)));
+  const auto from2 = static_cast<float>(from_px * from_px);
+  const auto per_px2 = static_cast<float>(1.0 / (to_px * to_px - from_px * from_px));
   const int first_row = std::max(0, static_cast<int>(std::ceil(row - to_px)));
   const int last_row = std::min(rows_ - 1, static_cast<int>(std::floor(row + to_px)));
   for (int y = first_row; y <= last_row; ++y) {
-    for (int x = first_column; x <= last_column; ++x) {
-      const double distance_px = std::sqrt((x - column) * (x - column) + (y - row) * (y - row));
-      const double share = std::clamp((distance_px - from_px) / (to_px - from_px), 0.0, 1.0);
-      weights_[index(x, y)] *= static_cast<float>(share * share * (3.0 - 2.0 * share));
+    const auto down2 = static_cast<float>((y - row) * (y - row));
+    Floats4 across = Floats4{0.0F, 1.0F, 2.0F, 3.0F} - static_cast<float>(column);
+    for (int x = 0; x < columns_; x += 4, across += 4.0F) {
+      const Floats4 share = clamped((across * across + down2 - from2) * per_px2);
+      store(weights(y) + x, loaded<Floats4>(weights(y) + x) * share * share * (3.0F - 2.0F * share));
     }
   }
 }
 
 SpotModel threshold_subtracted_start(const FitWindow& window, double background) {
-  float peak = 0.0F;
+  Floats4 largest{};
   for (int row = 0; row < window.rows(); ++row) {
-    peak = std::max(peak, *std::max_element(window.values(row), window.values(row) + window.columns()));
-  }
-  const double contrast = std::max(1.0, static_cast<double>(peak) - background);
-  const auto threshold = static_cast<float>(background + 0.2 * contrast);
-  float n = 0.0F, x = 0.0F, y = 0.0F, xx = 0.0F, yy = 0.0F;
-  for (int row = 0; row < window.rows(); ++row) {
-    float row_n = 0.0F, row_x = 0.0F, row_xx = 0.0F;
-    const float* values = window.values(row);
-    for (int column = 0; column < window.columns(); ++column) {
-      const auto u = static_cast<float>(column);
-      const float above = std::max(values[column] - threshold, 0.0F);
-      row_n += above;
-      row_x += above * u;
-      row_xx += above * u * u;
+    for (int column = 0; column < window.columns(); column += 4) {
+      const auto values = loaded<Floats4>(window.values(row) + column);
+      largest = values > largest ? values : largest;
     }
-    const auto v = static_cast<float>(row);
-    n += row_n;
-    x += row_x;
-    xx += row_xx;
-    y += row_n * v;
-    yy += row_n * v * v;
   }
-  if (n <= 0.0F) return {(window.columns() - 1) / 2.0, (window.rows() - 1) / 2.0, 1.0, contrast, background};
-  const auto column = static_cast<double>(x / n);
-  const auto row = static_cast<double>(y / n);
-  const double variance = 0.5 * (static_cast<double>((xx + yy) / n) - column * column - row * row);
+  const auto peak = static_cast<double>(std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3])));
+  const double contrast = std::max(1.0, peak - background);
+  const Moments above = moments_above(window, static_cast<float>(background + 0.2 * contrast));
+  const double n = sum(above.n);
+  if (n <= 0.0) return {(window.columns() - 1) / 2.0, (window.rows() - 1) / 2.0, 1.0, contrast, background};
+  const double column = sum(above.x) / n;
+  const double row = static_cast<double>(above.y) / n;
+  const double variance = 0.5 * ((sum(above.xx) + static_cast<double>(above.yy)) / n - column * column - row * row);
   // Cutting 20 % off a Gaussian leaves 0.6 of its variance.
   return {column, row, std::sqrt(std::max(variance / 0.6, 0.25)), 1.1 * contrast, background};
 }
 
-std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start) {
+std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start, double settled_px) {
   SpotModel model = start;
   for (int step = 0; step < kMaxSteps; ++step) {
     const Normal normal = normal_equations(window, model);
@@ -225,9 +251,9 @@ std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start)
     const double moved_px =
         std::max(scaled_step.head<2>().cwiseAbs().maxCoeff(), std::abs(scaled_step(4))) / model.amplitude;
     model = stepped(model, scaled_step);
-    if (moved_px < kSettled_px) break;
+    if (moved_px < settled_px) return fit_from(normal, model, scaled_step);
   }
-  return fit_from(normal_equations(window, model), model);
+  return fit_from(normal_equations(window, model), model, Vector5::Zero());
 }
 
 }  // namespace tripoint

@@ -16,6 +16,8 @@ class FitWindow {
 
   /// Every value and weight 0.
   void resize(int columns, int rows);
+  [[nodiscard]] float* values(int row) { return values_.data() + index(0, row); }
+  [[nodiscard]] float* weights(int row) { return weights_.data() + index(0, row); }
   void set(int column, int row, float value, float weight) {
     values_[index(column, row)] = value;
     weights_[index(column, row)] = weight;
@@ -36,11 +38,12 @@ class FitWindow {
   [[nodiscard]] const float* weights(int row) const { return weights_.data() + index(0, row); }
 
  private:
-  [[nodiscard]] static constexpr std::size_t index(int column, int row) {
-    return static_cast<std::size_t>(row) * kMaxSide + static_cast<std::size_t>(column);
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>(column);
   }
   int columns_ = 0;
   int rows_ = 0;
+  std::size_t stride_ = 0;  ///< whole vectors of 4
   std::array<float, std::size_t{kMaxSide} * kMaxSide> values_{};
   std::array<float, std::size_t{kMaxSide} * kMaxSide> weights_{};
 };
@@ -65,10 +68,13 @@ struct SpotFit {
 /// Where to begin: moments of what rises above 20 % of the contrast over `background`, hidden pixels included.
 SpotModel threshold_subtracted_start(const FitWindow& window, double background);
 
+inline constexpr double kSettled_px = 0.02;  ///< of centre and sigma; the step itself leaves a small part of it
+
 /// Gauss-Newton with light damping, at most 7 steps.
 ///
+/// @param settled_px  no step follows one that moved centre and sigma by less
 /// @return nothing when the weights sum up to fewer than 12 pixels or the normal equations are singular
 /// Source: Winick 1986, "Cramer-Rao lower bounds on the performance of CCD optical position estimators".
-std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start);
+std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start, double settled_px = kSettled_px);
 
 }  // namespace tripoint

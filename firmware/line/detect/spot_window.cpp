@@ -10,6 +10,7 @@ namespace tripoint {
 
 void SpotWindow::load(const Picture& picture, int center_u, int center_v, int half) {
   TRIPOINT_ASSERT(half > 0 && half <= kMaxHalf);
+  picture_size_ = picture.size;
   left_px_ = (center_u - half) & ~1;
   top_px_ = center_v - half;
   columns_ = 2 * half + 2;
@@ -24,17 +25,17 @@ void SpotWindow::load_row(const Picture& picture, int row) {
     std::fill_n(strength_.begin() + static_cast<std::ptrdiff_t>(first), columns_, kOutside);
     return;
   }
-  const std::uint8_t* row_start = picture.luma.data + static_cast<std::size_t>(v_px) * picture.luma.stride_bytes;
-  for (int column = 0; column < columns_;) {
-    const int u_px = left_px_ + column;
-    const std::size_t i = first + static_cast<std::size_t>(column);
-    if (picture.interleaved_yuyv && u_px >= 2 && u_px + 10 <= picture.size.width_px) {
-      load_eight(row_start + 2 * u_px, i);
-      column += 8;
-    } else {
-      picture.interleaved_yuyv ? load_pair<2, 4>(picture, i, u_px, v_px) : load_pair<1, 1>(picture, i, u_px, v_px);
-      column += 2;
+  if (picture.interleaved_yuyv && left_px_ >= 2 && left_px_ + 8 * ((columns_ + 7) / 8) + 2 <= picture.size.width_px) {
+    const std::uint8_t* yuyv = picture.luma.data + static_cast<std::size_t>(v_px) * picture.luma.stride_bytes;
+    for (int column = 0; column < columns_; column += 8) {
+      load_eight(yuyv + 2 * (left_px_ + column), first + static_cast<std::size_t>(column));
     }
+    return;
+  }
+  for (int column = 0; column < columns_; column += 2) {
+    const std::size_t i = first + static_cast<std::size_t>(column);
+    picture.interleaved_yuyv ? load_pair<2, 4>(picture, i, left_px_ + column, v_px)
+                             : load_pair<1, 1>(picture, i, left_px_ + column, v_px);
   }
 }
 
@@ -49,9 +50,9 @@ void SpotWindow::load_eight(const std::uint8_t* yuyv, std::size_t i) {
   const Shorts8 strength =
       (__builtin_convertvector(luma, Shorts8) + __builtin_convertvector(own, Shorts8)) * static_cast<std::uint16_t>(3) +
       __builtin_convertvector(neighbour, Shorts8);
-  std::memcpy(luma_.data() + i, &luma, sizeof luma);
-  std::memcpy(red_.data() + i, &own, sizeof own);
-  std::memcpy(strength_.data() + i, &strength, sizeof strength);
+  store(luma_.data() + i, luma);
+  store(red_.data() + i, own);
+  store(strength_.data() + i, strength);
 }
 
 /// A chroma sample sits between its two pixels: V' is three parts of the own and one of the neighbour's.

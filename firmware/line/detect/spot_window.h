@@ -1,6 +1,7 @@
 // A small part of the picture around one candidate: strength S, luma Y and red V of every pixel.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,18 @@ class SpotWindow {
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
 
+  /// The part that lies in the picture: first and last columns and rows, inclusive.
+  struct Part {
+    int left = 0;
+    int top = 0;
+    int right = 0;
+    int bottom = 0;
+  };
+  [[nodiscard]] Part in_picture() const {
+    return {std::max(0, -left_px_), std::max(0, -top_px_), std::min(columns_, picture_size_.width_px - left_px_) - 1,
+            std::min(rows_, picture_size_.height_px - top_px_) - 1};
+  }
+
   [[nodiscard]] static constexpr std::size_t index(int column, int row) {
     return static_cast<std::size_t>(row) * kStride + static_cast<std::size_t>(column);
   }
@@ -34,6 +47,8 @@ class SpotWindow {
   [[nodiscard]] int strength(std::size_t i) const { return strength_[i]; }
   [[nodiscard]] int luma(std::size_t i) const { return luma_[i]; }
   [[nodiscard]] int red(std::size_t i) const { return red_[i]; }
+  [[nodiscard]] const std::uint8_t* lumas(std::size_t i) const { return luma_.data() + i; }
+  [[nodiscard]] const std::int16_t* strengths(std::size_t i) const { return strength_.data() + i; }
   [[nodiscard]] bool outside(std::size_t i) const { return strength_[i] == kOutside; }
 
  private:
@@ -42,6 +57,7 @@ class SpotWindow {
   template <int kLumaStep, int kRedStep>
   void load_pair(const Picture& picture, std::size_t i, int u_px, int v_px);
 
+  ImageSize picture_size_;
   int left_px_ = 0;
   int top_px_ = 0;
   int columns_ = 0;

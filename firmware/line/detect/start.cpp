@@ -8,12 +8,20 @@
 namespace tripoint {
 namespace {
 
-struct Box {
-  int left_px = 0;
-  int top_px = 0;
-  int right_px = 0;  ///< inclusive
-  int bottom_px = 0;
+/// Columns and rows of cells, inclusive.
+struct CellBox {
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
 };
+
+CellBox cells_within(const CellMap& cells, const RawPixel& at, int reach_px) {
+  const auto cell_of = [](double px) { return static_cast<int>(px) / CoarseMap::kCellPx; };
+  return {cell_of(std::max(0.0, at.u_px - reach_px)), cell_of(std::max(0.0, at.v_px - reach_px)),
+          std::min(cells.columns() - 1, cell_of(at.u_px + reach_px)),
+          std::min(cells.rows() - 1, cell_of(at.v_px + reach_px))};
+}
 
 /// The cell of the finest level that holds the larger cell's maximum.
 Cell finest(const CoarseMap& map, Cell cell) {
@@ -34,15 +42,15 @@ Cell finest(const CoarseMap& map, Cell cell) {
   return cell;
 }
 
-/// Calls `see(u, v, V)` once for each chroma sample of the box that lies in the picture.
+/// Calls `see(u, v, V)` once for each chroma sample of a cell of the finest level that lies in the picture.
 template <typename See>
-void for_each_red(const Picture& picture, const Box& box, See see) {
+void for_each_red(const Picture& picture, int column, int row, See see) {
   const int step = picture.chroma_rows_halved ? 2 : 1;
-  const int right = std::min(box.right_px, picture.size.width_px - 1);
-  const int bottom = std::min(box.bottom_px, picture.size.height_px - 1);
-  for (int v = std::max(box.top_px, 0); v <= bottom; v += step) {
+  const int right = std::min((column + 1) * CoarseMap::kCellPx, picture.size.width_px);
+  const int bottom = std::min((row + 1) * CoarseMap::kCellPx, picture.size.height_px);
+  for (int v = row * CoarseMap::kCellPx; v < bottom; v += step) {
     const std::uint8_t* reds = picture.v.data + static_cast<std::size_t>(v / step) * picture.v.stride_bytes;
-    for (int u = std::max(box.left_px, 0) & ~1; u <= right; u += 2) {
+    for (int u = column * CoarseMap::kCellPx; u < right; u += 2) {
       see(u, v, reds[static_cast<std::size_t>(u / 2) * picture.v.step_bytes]);
     }
   }
@@ -52,38 +60,44 @@ void for_each_red(const Picture& picture, const Box& box, See see) {
 
 PixelPlace reddest_of_cell(const Picture& picture, const CoarseMap& map, const Cell& cell) {
   const Cell fine = finest(map, cell);
-  const Box box{fine.u_px, fine.v_px, fine.u_px + fine.size_px - 1, fine.v_px + fine.size_px - 1};
+  const int column = fine.u_px / CoarseMap::kCellPx;
+  const int row = fine.v_px / CoarseMap::kCellPx;
+  const int largest = map.levels().front().row(row)[column];
   PixelPlace reddest{fine.u_px, fine.v_px};
-  int largest = -1;
-  for_each_red(picture, box, [&](int u, int v, int red) {
-    if (red < largest) return;
-    if (red == largest && picture.luma.at(u, v) <= picture.luma.at(reddest.u_px, reddest.v_px)) return;
-    largest = red;
+  int brightest = -1;
+  for_each_red(picture, column, row, [&](int u, int v, int red) {
+    if (red != largest || picture.luma.at(u, v) <= brightest) return;
+    brightest = picture.luma.at(u, v);
     reddest = {u, v};
   });
   return reddest;
 }
 
-std::optional<PixelPlace> reddest_beside(const Picture& picture, const Candidate& spot, int min_red) {
+std::optional<PixelPlace> reddest_beside(const Picture& picture, const CoarseMap& map, const Candidate& spot,
+                                         int min_red) {
   constexpr int kClearlyRed = 20;       // V above `min_red`
   constexpr double kNearlyAsRed = 0.6;  // of the accepted spot's own step
   const int reach = picture.size.width_px <= 320 ? 14 : 26;
-  const auto center_u = static_cast<int>(spot.at.u_px);
-  const auto center_v = static_cast<int>(spot.at.v_px);
   const double own = 2.0 * static_cast<double>(spot.radius_px) + 2.0;
   const double needed = std::max<double>(min_red + kClearlyRed, static_cast<double>(spot.surround_red) +
                                                                     kNearlyAsRed * static_cast<double>(spot.red_step));
   int largest = static_cast<int>(std::ceil(needed)) - 1;
   std::optional<PixelPlace> reddest;
-  for_each_red(picture, {center_u - reach, center_v - reach, center_u + reach, center_v + reach},
-               [&](int u, int v, int red) {
-                 if (red <= largest) return;
-                 const double du = u - spot.at.u_px;
-                 const double dv = v - spot.at.v_px;
-                 if (du * du + dv * dv < own * own) return;
-                 largest = red;
-                 reddest = PixelPlace{u, v};
-               });
+  const auto see = [&](int u, int v, int red) {
+    if (red <= largest) return;
+    const double du = u - spot.at.u_px;
+    const double dv = v - spot.at.v_px;
+    if (std::max(std::abs(du), std::abs(dv)) > reach || du * du + dv * dv < own * own) return;
+    largest = red;
+    reddest = PixelPlace{u, v};
+  };
+  const CellMap& cells = map.levels().front();
+  const CellBox box = cells_within(cells, spot.at, reach);
+  for (int row = box.top; row <= box.bottom; ++row) {
+    for (int column = box.left; column <= box.right; ++column) {
+      if (cells.row(row)[column] > largest) for_each_red(picture, column, row, see);
+    }
+  }
   return reddest;
 }
 

@@ -11,25 +11,37 @@ namespace {
 
 constexpr int kFewestPixels = 8;
 
-/// Counts values so that percentiles need no sorting.
+/// Counts values so that percentiles need no sorting; a second count by groups of bins makes them quick to find.
 template <std::size_t kBins>
 class Histogram {
  public:
-  void add(int bin) { ++counts_[static_cast<std::size_t>(bin)]; }
+  void add(int bin) {
+    ++counts_[static_cast<std::size_t>(bin)];
+    ++groups_[static_cast<std::size_t>(bin) / kGroup];
+    ++n_;
+  }
 
-  /// The bin below which `share` of the first `n` lie.
-  [[nodiscard]] int percentile(int n, double share) const {
-    int left = static_cast<int>(n * share);
-    std::size_t bin = 0;
+  /// The bin below which `share` of all lie.
+  [[nodiscard]] int percentile(double share) const {
+    int left = static_cast<int>(n_ * share);
+    std::size_t group = 0;
+    while (group + 1 < groups_.size() && left >= groups_[group]) left -= groups_[group++];
+    std::size_t bin = group * kGroup;
     while (bin + 1 < kBins && left >= counts_[bin]) left -= counts_[bin++];
     return static_cast<int>(bin);
   }
   /// Standard deviation in bins, from the middle 60 %: 1.683 of a Gaussian's.
-  [[nodiscard]] double noise(int n) const { return (percentile(n, 0.8) - percentile(n, 0.2)) / 1.683; }
-  [[nodiscard]] int count_above(int bin) const { return std::accumulate(counts_.begin() + bin + 1, counts_.end(), 0); }
+  [[nodiscard]] double noise() const { return (percentile(0.8) - percentile(0.2)) / 1.683; }
+  [[nodiscard]] double share_above(int bin) const {
+    return static_cast<double>(std::accumulate(counts_.begin() + bin + 1, counts_.end(), 0)) / n_;
+  }
+  [[nodiscard]] int size() const { return n_; }
 
  private:
+  static constexpr std::size_t kGroup = 16;
   std::array<std::uint16_t, kBins> counts_{};
+  std::array<std::uint16_t, kBins / kGroup + 1> groups_{};
+  int n_ = 0;
 };
 
 constexpr int kStrengthBin = 4;  // S: fine enough against a contrast of 45 and more
@@ -38,33 +50,36 @@ using StrengthHistogram = Histogram<7 * 255 / kStrengthBin + 1>;
 struct Disc {
   double column = 0.0;
   double row = 0.0;
-  double inner_px = 0.0;
+  double inner_px = 0.0;  ///< negative for no hole
   double outer_px = 0.0;
 };
 
 /// Half the length of a row's part within a circle, -1 when the row misses it.
 double half_chord(double radius_px, double distance_px) {
   const double rest = radius_px * radius_px - distance_px * distance_px;
-  return rest < 0.0 ? -1.0 : std::sqrt(rest);
+  return radius_px < 0.0 || rest < 0.0 ? -1.0 : std::sqrt(rest);
 }
 
 /// Calls `see` with the index of each pixel of the picture whose distance is within the disc.
 template <typename See>
 void for_each_pixel(const SpotWindow& window, const Disc& disc, See see) {
-  const int top = std::max(0, static_cast<int>(std::ceil(disc.row - disc.outer_px)));
-  const int bottom = std::min(window.rows() - 1, static_cast<int>(std::floor(disc.row + disc.outer_px)));
+  const SpotWindow::Part shown = window.in_picture();
+  const int top = std::max(shown.top, static_cast<int>(std::ceil(disc.row - disc.outer_px)));
+  const int bottom = std::min(shown.bottom, static_cast<int>(std::floor(disc.row + disc.outer_px)));
   for (int row = top; row <= bottom; ++row) {
+    const auto see_columns = [&](int first, int last) {
+      const std::size_t start = SpotWindow::index(0, row);
+      for (int column = first; column <= last; ++column) see(start + static_cast<std::size_t>(column));
+    };
     const double outer = half_chord(disc.outer_px, row - disc.row);
     const double inner = half_chord(disc.inner_px, row - disc.row);
-    const int left = std::max(0, static_cast<int>(std::ceil(disc.column - outer)));
-    const int right = std::min(window.columns() - 1, static_cast<int>(std::floor(disc.column + outer)));
-    const int hole_left = inner < 0.0 ? right + 1 : static_cast<int>(std::floor(disc.column - inner)) + 1;
-    const int hole_right = inner < 0.0 ? right : static_cast<int>(std::ceil(disc.column + inner)) - 1;
-    for (int column = left; column <= right; ++column) {
-      if (column == hole_left && hole_right >= hole_left) column = hole_right + 1;
-      if (column > right) break;
-      const std::size_t i = SpotWindow::index(column, row);
-      if (!window.outside(i)) see(i);
+    const int left = std::max(shown.left, static_cast<int>(std::ceil(disc.column - outer)));
+    const int right = std::min(shown.right, static_cast<int>(std::floor(disc.column + outer)));
+    if (inner < 0.0) {
+      see_columns(left, right);
+    } else {
+      see_columns(left, std::min(right, static_cast<int>(std::floor(disc.column - inner))));
+      see_columns(std::max(left, static_cast<int>(std::ceil(disc.column + inner))), right);
     }
   }
 }
@@ -77,45 +92,29 @@ Surround surround_of(const SpotWindow& window, const Area& area, int peak) {
   StrengthHistogram strengths;
   Histogram<256> lumas;
   Histogram<256> reds;
-  int n = 0;
   const double reach_px = surround_reach_px(area);
   for_each_pixel(window, {area.column, area.row, reach_px - 3.0, reach_px}, [&](std::size_t i) {
     strengths.add(window.strength(i) / kStrengthBin);
     lumas.add(window.luma(i));
     reds.add(window.red(i));
-    ++n;
   });
-  if (n < kFewestPixels) return {};
-  const int strength = kStrengthBin * strengths.percentile(n, 0.4);
+  if (strengths.size() < kFewestPixels) return {};
+  const int strength = kStrengthBin * strengths.percentile(0.4);
   const int bright = strength + static_cast<int>(0.4 * (peak - strength));
-  return {.pixels = n,
+  return {.pixels = strengths.size(),
           .strength = strength,
-          .luma = lumas.percentile(n, 0.4),
-          .red = reds.percentile(n, 0.5),
-          .crowding = static_cast<double>(strengths.count_above(bright / kStrengthBin)) / n};
-}
-
-RingNoise ring_noise(const SpotWindow& window, const Area& area) {
-  StrengthHistogram strengths;
-  Histogram<256> lumas;
-  int n = 0;
-  const double reach_px = surround_reach_px(area);
-  for_each_pixel(window, {area.column, area.row, reach_px - 3.0, reach_px}, [&](std::size_t i) {
-    strengths.add(window.strength(i) / kStrengthBin);
-    lumas.add(window.luma(i));
-    ++n;
-  });
-  return {.luma = lumas.noise(n), .strength = kStrengthBin * strengths.noise(n)};
+          .luma = lumas.percentile(0.4),
+          .red = reds.percentile(0.5),
+          .crowding = strengths.share_above(bright / kStrengthBin),
+          .luma_noise = lumas.noise(),
+          .strength_noise = kStrengthBin * strengths.noise()};
 }
 
 int background_of(const SpotWindow& window) {
   StrengthHistogram strengths;
-  int n = 0;
   const auto see = [&](int column, int row) {
     const std::size_t i = SpotWindow::index(column, row);
-    if (window.outside(i)) return;
-    strengths.add(window.strength(i) / kStrengthBin);
-    ++n;
+    if (!window.outside(i)) strengths.add(window.strength(i) / kStrengthBin);
   };
   for (int column = 0; column < window.columns(); ++column) {
     see(column, 0);
@@ -125,7 +124,7 @@ int background_of(const SpotWindow& window) {
     see(0, row);
     see(window.columns() - 1, row);
   }
-  return n < kFewestPixels ? SpotWindow::kOutside : kStrengthBin * strengths.percentile(n, 0.4);
+  return strengths.size() < kFewestPixels ? SpotWindow::kOutside : kStrengthBin * strengths.percentile(0.4);
 }
 
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak) {
@@ -135,7 +134,7 @@ double redness_of_flank(const SpotWindow& window, const Area& area, const Surrou
   int pixels = 0;
   int red = 0;
   int luma = 0;
-  for_each_pixel(window, {area.column, area.row, 0.0, 2.2 * area.radius_px() + 1.5}, [&](std::size_t i) {
+  for_each_pixel(window, {area.column, area.row, -1.0, 2.2 * area.radius_px() + 1.5}, [&](std::size_t i) {
     if (window.strength(i) < low || window.strength(i) > high) return;
     ++pixels;
     red += window.red(i) - around.red;
@@ -149,13 +148,9 @@ double redness_of_flank(const SpotWindow& window, const Area& area, const Surrou
 double emission_of_area(const SpotWindow& window, const Flood& flood, const Surround& around) {
   int luma = 0;
   int strength = 0;
-  for (int row = 0; row < window.rows(); ++row) {
-    for (int column = 0; column < window.columns(); ++column) {
-      const std::size_t i = SpotWindow::index(column, row);
-      if (!flood.holds(i)) continue;
-      luma += window.luma(i) - around.luma;
-      strength += window.strength(i) - around.strength;
-    }
+  for (const std::uint16_t i : flood.area()) {
+    luma += window.luma(i) - around.luma;
+    strength += window.strength(i) - around.strength;
   }
   return strength > 0 ? static_cast<double>(luma) / strength : 0.0;
 }

@@ -9,10 +9,12 @@ namespace tripoint {
 /// Percentiles (of S to 4 steps) of the ring between 2 r + 1.5 and 2 r + 4.5 px around an area of radius r.
 struct Surround {
   int pixels = 0;
-  int strength = 0;       ///< 40th percentile of S
-  int luma = 0;           ///< 40th percentile of Y
-  int red = 0;            ///< median of V
-  double crowding = 0.0;  ///< share of the ring above 40 % of the contrast
+  int strength = 0;         ///< 40th percentile of S
+  int luma = 0;             ///< 40th percentile of Y
+  int red = 0;              ///< median of V
+  double crowding = 0.0;    ///< share of the ring above 40 % of the contrast
+  double luma_noise = 0.0;  ///< standard deviations, from the 20th to the 80th percentile
+  double strength_noise = 0.0;
 };
 
 /// Outer radius of that ring.
@@ -20,13 +22,6 @@ double surround_reach_px(const Area& area);
 
 /// @return no pixels when less than 8 of the ring are in the picture
 Surround surround_of(const SpotWindow& window, const Area& area, int peak);
-
-/// Standard deviations in the same ring, from the 20th to the 80th percentile.
-struct RingNoise {
-  double luma = 0.0;
-  double strength = 0.0;
-};
-RingNoise ring_noise(const SpotWindow& window, const Area& area);
 
 /// 40th percentile of S along the window's border, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
 int background_of(const SpotWindow& window);

@@ -20,6 +20,10 @@ Vector loaded(const void* from) {
   std::memcpy(&value, from, sizeof value);
   return value;
 }
+template <typename Vector>
+void store(void* to, Vector value) {
+  std::memcpy(to, &value, sizeof value);
+}
 inline Bytes16 larger(Bytes16 a, Bytes16 b) { return a > b ? a : b; }
 /// a - b, but not below 0.
 inline Bytes16 minus(Bytes16 a, Bytes16 b) { return larger(a, b) - b; }

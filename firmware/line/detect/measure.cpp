@@ -1,0 +1,151 @@
+#include "line/detect/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tripoint {
+namespace {
+
+constexpr double kLargestLumaShare = 1.15;  ///< the spot may not be wider in Y than in S
+constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's centre against the area's
+constexpr double kFade_px = 3.0;            ///< over more than the mosaic's cell of 2 px
+constexpr double kRoughly_px = 0.1;         ///< a first fit that another one follows need not settle further
+
+double distance_px(const SpotModel& model, const Area& area) {
+  return std::hypot(model.column - area.column, model.row - area.row);
+}
+
+double share_of_radius(const SpotModel& model, const IsolatedSpot& spot) {
+  return model.sigma_px * std::sqrt(-2.0 * std::log(spot.level)) / spot.area.radius_px();
+}
+
+}  // namespace
+
+std::optional<SpotMeasurement> SpotMeasurer::measure(const IsolatedSpot& spot) {
+  frame(spot);
+  note_clipped(spot);
+  auto measured = measure_on(spot, Channel::kLuma);
+  return measured && luma_suffices(spot, *measured) ? measured : measure_on(spot, Channel::kStrength);
+}
+
+void SpotMeasurer::frame(const IsolatedSpot& spot) {
+  const auto center_column = static_cast<int>(std::lround(spot.area.column));
+  const auto center_row = static_cast<int>(std::lround(spot.area.row));
+  const SpotWindow::Part shown = spot.window.in_picture();
+  reach_ = std::clamp(static_cast<int>(std::ceil(2.0 * spot.area.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
+  box_.left = std::max(shown.left, center_column - reach_);
+  box_.top = std::max(shown.top, center_row - reach_);
+  box_.right = std::min(shown.right, center_column + reach_);
+  box_.bottom = std::min(shown.bottom, center_row + reach_);
+}
+
+/// Calls `see(row, first column, last column)` for each row of the disc that the fit sees.
+template <typename See>
+void SpotMeasurer::for_each_row_of_disc(const IsolatedSpot& spot, See see) const {
+  const double reach2 = (reach_ + 0.5) * (reach_ + 0.5);
+  for (int row = box_.top; row <= box_.bottom; ++row) {
+    const double half2 = reach2 - (row - spot.area.row) * (row - spot.area.row);
+    if (half2 < 0.0) continue;
+    const double half = std::sqrt(half2);
+    see(row, std::max(box_.left, static_cast<int>(std::ceil(spot.area.column - half))),
+        std::min(box_.right, static_cast<int>(std::floor(spot.area.column + half))));
+  }
+}
+
+void SpotMeasurer::note_clipped(const IsolatedSpot& spot) {
+  clipped_.clear();
+  own_clipped_pixels_ = 0;
+  peak_luma_ = 0;
+  for_each_row_of_disc(spot, [&](int row, int first, int last) {
+    const std::size_t end = SpotWindow::index(last, row) + 1;
+    for (std::size_t i = SpotWindow::index(first, row); i < end; ++i) {
+      const int luma = spot.window.luma(i);
+      peak_luma_ = std::max(peak_luma_, luma);
+      if (spot.window.strength(i) < settings_.hide_above && luma < settings_.luma_clip) continue;
+      clipped_.push_back(static_cast<std::uint16_t>(i));
+      own_clipped_pixels_ += spot.flood.holds(i) ? 1 : 0;
+    }
+  });
+}
+
+void SpotMeasurer::fill(const IsolatedSpot& spot, Channel channel) {
+  const int columns = box_.right - box_.left + 1;
+  fit_window_.resize(columns, box_.bottom - box_.top + 1);
+  for (int row = 0; row < fit_window_.rows(); ++row) {
+    float* values = fit_window_.values(row);
+    const std::size_t first = SpotWindow::index(box_.left, box_.top + row);
+    if (channel == Channel::kLuma) {
+      const std::uint8_t* lumas = spot.window.lumas(first);
+      for (int i = 0; i < columns; ++i) values[i] = static_cast<float>(lumas[i]);
+    } else {
+      const std::int16_t* strengths = spot.window.strengths(first);
+      for (int i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
+    }
+  }
+  show_disc(spot);
+}
+
+void SpotMeasurer::show_disc(const IsolatedSpot& spot) {
+  for_each_row_of_disc(spot, [&](int row, int first, int last) {
+    float* weights = fit_window_.weights(row - box_.top);
+    std::fill(weights + (first - box_.left), weights + (last - box_.left) + 1, 1.0F);
+  });
+}
+
+/// Demosaicing carries a clipped value into the neighbours: they are hidden too.
+void SpotMeasurer::hide_clipped(const IsolatedSpot& spot, bool own_core) {
+  for (const std::uint16_t i : clipped_) {
+    if (!own_core && spot.flood.holds(i)) continue;
+    fit_window_.hide_around(i % SpotWindow::kStride - box_.left, i / SpotWindow::kStride - box_.top);
+  }
+}
+
+/// The model never fits wholly (halo, mosaic). Hidden pixel by pixel, the core leaves a ragged edge, another one at
+/// each place in the mosaic's cell, which turns the misfit into an error of the centre; a disc that fades does not.
+/// How well the model fits stays what all pixels that show have said.
+SpotFit SpotMeasurer::fitted_with_fading_core(const IsolatedSpot& spot, const SpotFit& first) {
+  show_disc(spot);
+  hide_clipped(spot, false);
+  const double clipped_px = std::sqrt(own_clipped_pixels_ / std::numbers::pi);
+  if (own_clipped_pixels_ > 0) {
+    fit_window_.fade_around(first.model.column, first.model.row, clipped_px, clipped_px + kFade_px);
+  }
+  auto better = fit_spot(fit_window_, first.model);
+  if (!better) return first;
+  better->noise = first.noise;
+  better->visible_amplitude = first.visible_amplitude;
+  return *better;
+}
+
+std::optional<SpotMeasurement> SpotMeasurer::measure_on(const IsolatedSpot& spot, Channel channel) {
+  fill(spot, channel);
+  const bool by_luma = channel == Channel::kLuma;
+  const SpotModel start =
+      threshold_subtracted_start(fit_window_, by_luma ? spot.around.luma : 0.25 * spot.around.strength);
+  hide_clipped(spot, true);
+  auto fit = clipped_.empty() ? fit_spot(fit_window_, start) : fit_spot(fit_window_, start, kRoughly_px);
+  if (fit && !clipped_.empty()) fit = fitted_with_fading_core(spot, *fit);
+  if (!fit) return std::nullopt;
+  fit->model.column += box_.left;
+  fit->model.row += box_.top;
+  if (distance_px(fit->model, spot.area) >= 0.5 * spot.area.radius_px() + 0.7) return std::nullopt;
+  return SpotMeasurement{.fit = *fit,
+                         .channel = channel,
+                         .ground_noise = by_luma ? spot.around.luma_noise : 0.25 * spot.around.strength_noise,
+                         .share_of_radius = share_of_radius(fit->model, spot),
+                         .hidden_pixels = static_cast<int>(clipped_.size()),
+                         .peak_luma = peak_luma_};
+}
+
+/// Y must be strong enough, and tell of the same spot as S: a white reflection beside the LED pulls Y only.
+bool SpotMeasurer::luma_suffices(const IsolatedSpot& spot, const SpotMeasurement& measured) const {
+  const SpotFit& fit = measured.fit;
+  return fit.visible_amplitude >= settings_.weak_amplitude &&
+         fit.noise <= settings_.max_residual * fit.visible_amplitude &&
+         0.5 * fit.covariance_px2.trace() <= settings_.weak_sigma_px * settings_.weak_sigma_px &&
+         measured.share_of_radius <= kLargestLumaShare &&
+         distance_px(fit.model, spot.area) <= kSameCenter * (1.0 + spot.area.radius_px());
+}
+
+}  // namespace tripoint
