@@ -26,8 +26,7 @@ UnitReport::UnitReport(const UnitConstants& constants, TimePoint started) : cons
 void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock) {
   if (measurement.common_time) ++heartbeat_;
   if (measurement.pose) pose_since_start_ = true;
-  newest_ = PublishedMeasurement{
-      .measurement = measurement, .utc_offset = clock.utc_offset(), .oldest_exposed = measurement.oldest_exposed};
+  newest_ = PublishedMeasurement{.measurement = measurement, .utc_offset = clock.utc_offset()};
   if (arrived && measurement.common_time) latency_.add(clock.now() - *arrived);
 }
 

@@ -116,6 +116,7 @@ Result<Observation> CameraWorker::observe(Camera& camera) {
   observation.exposed = frame->exposed;
   observation.arrived = frame->arrived;
   observation.line_time = frame->line_time;
+  if (camera.info().exposure > Duration{0}) observation.exposure = camera.info().exposure;
   observation.health.identical = repeat_check_.repeats(frame->data);
   return observation;
 }

@@ -107,7 +107,7 @@ struct Timing {
 struct Measurement {
   std::uint64_t sequence = 0;
   TimePoint exposed{};
-  TimePoint oldest_exposed{};  ///< of the pictures that took part; earlier than `exposed` where one was interpolated
+  TimePoint exposure_began{};  ///< of the pictures that took part, of both cameras, the one that began first
   bool common_time = false;    ///< a new common time of both cameras was brought to a verdict: the heart beats
   Faults faults;
   Warnings warnings;

@@ -48,8 +48,9 @@ struct Observation {
   std::uint32_t frame = 0;  ///< the driver's sequence number
   TimePoint exposed{};      ///< middle of the exposure of row 0, as stamped
   TimePoint arrived{};
-  Duration line_time{0};            ///< row r was exposed r times this later
-  std::uint64_t forecast_used = 0;  ///< number of the forecast, 0 = none
+  Duration line_time{0};             ///< row r was exposed r times this later
+  std::optional<Duration> exposure;  ///< how long each row was exposed; absent = the camera does not say
+  std::uint64_t forecast_used = 0;   ///< number of the forecast, 0 = none
   Coverage coverage = Coverage::kWholeFrame;
   FixedVector<ImagePoint, kMaxImagePoints> points;
   ImageHealth health;

@@ -18,7 +18,7 @@ struct CameraInfo {
   ImageSize size;
   PixelFormat format = PixelFormat::kYuyv;
   double rate_hz = 0.0;
-  Duration exposure{0};
+  Duration exposure{0};  ///< 0 = not known
   int gain = 0;
   std::vector<std::string> missing_controls;  ///< that it does not have; its automatics may then change the picture
 };

@@ -16,7 +16,7 @@ Latch filled(const Latch& latch, const UnitState& state) {
   const Measurement& measurement = state.newest->measurement;
   Faults faults = measurement.faults;
   faults.insert(state.faults);
-  if (!measurement.pose || !faults.empty() || state.newest->oldest_exposed <= latch.requested) return latch;
+  if (!measurement.pose || !faults.empty() || measurement.exposure_began <= latch.requested) return latch;
   Warnings warnings = measurement.warnings;
   warnings.insert(state.warnings);
   return Latch{latch.number, latch.requested, LatchOutcome::kFilled,

@@ -1,4 +1,4 @@
-// The latched copy: the first valid pose all of whose pictures were exposed after a command or a trigger edge.
+// The latched copy: the first valid pose all of whose pictures began to be exposed after a command or a trigger edge.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ Latch requested(const Latch& latch, TimePoint at);
 /// Time passes: a request that waited longer than kLatchWait has failed.
 Latch expired(const Latch& latch, TimePoint now);
 
-/// The unit publishes: a waiting latch takes the pose when all of its pictures were exposed after the request.
+/// The unit publishes: a waiting latch takes the pose when all of its pictures began to be exposed after the request.
 Latch filled(const Latch& latch, const UnitState& state);
 
 }  // namespace tripoint

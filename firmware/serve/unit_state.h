@@ -43,8 +43,7 @@ struct UnitFlags {
 /// The newest verdict of the line with what belongs to this very moment.
 struct PublishedMeasurement {
   Measurement measurement;
-  Duration utc_offset{0};      ///< added to a monotonic time: nanoseconds since 1970 UTC, at publication
-  TimePoint oldest_exposed{};  ///< exposure of the oldest picture that took part in it
+  Duration utc_offset{0};  ///< added to a monotonic time: nanoseconds since 1970 UTC, at publication
 };
 
 /// Registers 700 to 715 and 716 to 731; absent = unknown.

@@ -50,7 +50,7 @@ std::optional<TimePoint> new_common_time(const Tracks& tracks, const Clocks& clo
 Aligned camera_change(const Tracks& tracks) {
   Aligned seen;
   seen.at = tracks.now();
-  seen.oldest_exposed = seen.at;
+  seen.exposure_began = seen.at;
   if (tracks.lost(Side::kLeft)) seen.faults.insert(Fault::kLeftCameraLost);
   if (tracks.lost(Side::kRight)) seen.faults.insert(Fault::kRightCameraLost);
   const auto came_back = [&](Side side) { return tracks.changed(side) && !tracks.lost(side); };
@@ -78,7 +78,7 @@ Aligned align(const Tracks& tracks, const Clocks& clocks) {
   seen.due = true;
   seen.common_time = true;
   seen.at = *time;
-  seen.oldest_exposed = *time;
+  seen.exposure_began = *time;
   const PerSide<TimePoint> newest{exposed(clocks[Side::kLeft], tracks[Side::kLeft].picture(0)),
                                   exposed(clocks[Side::kRight], tracks[Side::kRight].picture(0))};
   seen.skew_s = seconds(newest.right - newest.left);
@@ -88,7 +88,7 @@ Aligned align(const Tracks& tracks, const Clocks& clocks) {
     const double offset_sigma_s = side == seen.timed ? seen.offset_sigma_s : 0.0;
     const PointsAtTime found = points_at_time(tracks[side], clocks[side], *time, offset_sigma_s);
     seen.points[side] = found.points;
-    seen.oldest_exposed = std::min(seen.oldest_exposed, found.oldest_exposed);
+    seen.exposure_began = std::min(seen.exposure_began, found.exposure_began);
     seen.faults.insert(found.faults);
     seen.spots[side] = static_cast<std::uint16_t>(found.spots);
     seen.health[side] = found.picture->health;

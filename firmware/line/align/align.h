@@ -27,7 +27,7 @@ struct Aligned {
   bool due = false;          ///< a verdict has to be published
   bool common_time = false;  ///< there is a new common time
   TimePoint at{};
-  TimePoint oldest_exposed{};  ///< of the pictures that took part
+  TimePoint exposure_began{};  ///< of the pictures that took part, the one that began first
   Faults faults;
   Warnings warnings;
   PerSide<FixedVector<AlignedPoint, kMaxImagePoints>> points;

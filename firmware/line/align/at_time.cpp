@@ -1,13 +1,15 @@
 #include "line/align/at_time.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace tripoint {
 namespace {
 
-constexpr Duration kExact{1'000};               // 1 us: at 1600 px/s a thousandth of a pixel
-constexpr Duration kLongestGap{80'000'000};     // two frame periods at 30 fps, one dropped frame
-constexpr double kUsualSpeed_px_per_s = 500.0;  // standard deviation of an unknown speed: 0.3 m/s at 400 mm
+constexpr Duration kExact{1'000};                  // 1 us: at 1600 px/s a thousandth of a pixel
+constexpr Duration kLongestGap{80'000'000};        // two frame periods at 30 fps, one dropped frame
+constexpr Duration kLongestExposure{100'000'000};  // of a camera whose frame period is not known either: 10 fps
+constexpr double kUsualSpeed_px_per_s = 500.0;     // standard deviation of an unknown speed: 0.3 m/s at 400 mm
 
 constexpr double kBendTurns = 0.5;  // part of a bend that the next frame period may turn sideways
 
@@ -112,19 +114,20 @@ Faults why_alone(const Track& track, const StampClock& clock, const Sample& samp
 struct PointAtTime {
   std::optional<AlignedPoint> point;
   Faults faults;  // why there is none; empty when it simply was not there yet
+  Sample oldest;  // that took part
 };
 
 PointAtTime point_at_time(const Track& track, const StampClock& clock, Sample late, const Moment& moment) {
   while (late.at - moment.time > kExact) {
     const std::optional<Sample> early = sample_before(track, clock, late);
-    if (!early) return {std::nullopt, why_alone(track, clock, late)};
+    if (!early) return {std::nullopt, why_alone(track, clock, late), late};
     if (early->at <= moment.time && early->at < late.at) {
-      if (late.at - early->at > kLongestGap) return {std::nullopt, {Fault::kTimingBound}};
-      return {between(track, clock, *early, late, moment), {}};
+      if (late.at - early->at > kLongestGap) return {std::nullopt, {Fault::kTimingBound}, *early};
+      return {between(track, clock, *early, late, moment), {}, *early};
     }
     late = *early;
   }
-  return {exact(track, clock, late, moment.offset_sigma_s), {}};
+  return {exact(track, clock, late, moment.offset_sigma_s), {}, late};
 }
 
 /// The oldest picture that is not before `time`.
@@ -138,13 +141,10 @@ std::size_t picture_at_or_after(const Track& track, const StampClock& clock, Tim
   return back;
 }
 
-/// A picture taken at that very moment stands alone; a later one is joined with the one before it.
-TimePoint oldest_exposed(const Track& track, const StampClock& clock, TimePoint time, std::size_t back) {
-  const TrackedPicture& picture = track.picture(back);
-  const TimePoint exposed = time_of_row(clock, picture, picture.first_row_px);
-  if (exposed - time <= kExact || back + 1 >= track.size()) return exposed;
-  const TrackedPicture& before = track.picture(back + 1);
-  return time_of_row(clock, before, before.first_row_px);
+/// When the exposure of a row began. No exposure is longer than the frame period.
+TimePoint exposure_began(const StampClock& clock, const TrackedPicture& picture, double row_px) {
+  const Duration longest = clock.period() > Duration{0} ? clock.period() : kLongestExposure;
+  return time_of_row(clock, picture, row_px) - picture.exposure.value_or(longest) / 2;
 }
 
 }  // namespace
@@ -158,10 +158,13 @@ PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoi
   const std::size_t back = picture_at_or_after(track, clock, time);
   found.picture = &track.picture(back);
   found.spots = found.picture->points.size();
-  found.oldest_exposed = oldest_exposed(track, clock, time, back);
+  found.exposure_began = exposure_began(clock, *found.picture, found.picture->first_row_px);
   for (std::size_t i = 0; i < found.spots; ++i) {
     const Sample late = sample_of(track, clock, back, i);
     const PointAtTime one = point_at_time(track, clock, late, {time, offset_sigma_s});
+    const double oldest_row_px = one.oldest.place_px.y();
+    found.exposure_began =
+        std::min(found.exposure_began, exposure_began(clock, track.picture(one.oldest.back), oldest_row_px));
     found.faults.insert(one.faults);
     if (one.point) found.points.push_back(*one.point);
   }

@@ -12,7 +12,7 @@ struct PointsAtTime {
   Faults faults;                            ///< why a point of the picture is not among them
   std::size_t spots = 0;                    ///< in that picture
   const TrackedPicture* picture = nullptr;  ///< the first picture at or after the moment; never null
-  TimePoint oldest_exposed{};               ///< of the pictures that took part
+  TimePoint exposure_began{};               ///< of the pictures that took part, the one that began first
 };
 
 /// Middle of the exposure of a row.

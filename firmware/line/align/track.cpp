@@ -32,6 +32,7 @@ void Track::take(const Observation& seen) {
   TrackedPicture& now = slot(0);
   now.frame = seen.frame;
   now.line_time = seen.line_time;
+  now.exposure = seen.exposure;
   now.health = seen.health;
   now.frames_dropped = size_ > 1 && seen.frame - picture(1).frame > 1;
   now.points.clear();

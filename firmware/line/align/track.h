@@ -17,9 +17,10 @@ namespace tripoint {
 struct TrackedPicture {
   std::uint32_t frame = 0;
   Duration line_time{0};
-  double first_row_px = 0.0;    ///< highest row with a point; of an empty picture that of the picture before
-  bool frames_dropped = false;  ///< the driver's numbers have a gap before it
-  bool broken = false;          ///< a point was not a number and was left out
+  std::optional<Duration> exposure;  ///< absent = the camera does not say
+  double first_row_px = 0.0;         ///< highest row with a point; of an empty picture that of the picture before
+  bool frames_dropped = false;       ///< the driver's numbers have a gap before it
+  bool broken = false;               ///< a point was not a number and was left out
   ImageHealth health;
   FixedVector<ImagePoint, kMaxImagePoints> points;
   FixedVector<Link, kMaxImagePoints> links;    ///< to the picture before, one for each point

@@ -66,7 +66,7 @@ Warnings warnings_of(const Pairs& pairs, const Fit& fit, const LineModel& model)
 Measurement gate(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model) {
   Measurement measurement;
   measurement.exposed = seen.at;
-  measurement.oldest_exposed = seen.oldest_exposed;
+  measurement.exposure_began = seen.exposure_began;
   measurement.common_time = seen.common_time;
   measurement.spots = seen.spots;
   for (const Faults& faults : {seen.faults, pairs.faults, faults_of_fit(fit, model), faults_of_model(model)}) {

@@ -27,6 +27,17 @@ TEST(CameraWorkerTest, AFrameBecomesAnObservationWithItsTimesAndNumber) {
   EXPECT_EQ(bench.luma_seen, std::vector<int>{5});
 }
 
+TEST(CameraWorkerTest, AnObservationTellsTheExposureOnlyWhenTheCameraDoes) {
+  for (const Duration exposure : {Duration{0}, Duration{2'000'000}}) {
+    WorkerBench bench({Script{ScriptedFrame{41, 5}}});
+    bench.exposure = exposure;
+    bench.run();
+    ASSERT_EQ(bench.observations().size(), 1U);
+    EXPECT_EQ(bench.observations()[0].exposure.value_or(Duration{0}), exposure);
+    EXPECT_EQ(bench.observations()[0].exposure.has_value(), exposure > Duration{0});
+  }
+}
+
 TEST(CameraWorkerTest, TheFirstFramesNeedNoCameraBack) {
   WorkerBench bench({Script{ScriptedFrame{1, 1}, ScriptedFrame{2, 2}}});
   bench.run();

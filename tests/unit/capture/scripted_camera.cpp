@@ -7,9 +7,11 @@ namespace {
 
 class ScriptedCamera final : public Camera {
  public:
-  ScriptedCamera(Script script, std::stop_source stop, bool last) : script_(std::move(script)), stop_(std::move(stop)) {
+  ScriptedCamera(Script script, std::stop_source stop, bool last, Duration exposure)
+      : script_(std::move(script)), stop_(std::move(stop)) {
     last_ = last;
     info_.name = "scripted";
+    info_.exposure = exposure;
   }
 
   Result<Frame> next_frame(Duration) override {
@@ -77,7 +79,7 @@ Result<std::unique_ptr<Camera>> WorkerBench::open() {
   const std::variant<Script, Error> opening = std::move(openings_.front());
   openings_.pop_front();
   if (const auto* error = std::get_if<Error>(&opening)) return tl::make_unexpected(*error);
-  return std::make_unique<ScriptedCamera>(std::get<Script>(opening), stop_, openings_.empty());
+  return std::make_unique<ScriptedCamera>(std::get<Script>(opening), stop_, openings_.empty(), exposure);
 }
 
 Observation WorkerBench::detect(const Picture& picture, const Forecast& known) {

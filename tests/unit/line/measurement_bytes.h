@@ -33,7 +33,8 @@ class Bytes {
 
 inline std::string bytes_of(const Measurement& m) {
   Bytes bytes;
-  bytes << m.sequence << ns_from_time(m.exposed) << m.common_time << m.faults.bits() << m.warnings.bits();
+  bytes << m.sequence << ns_from_time(m.exposed) << ns_from_time(m.exposure_began) << m.common_time << m.faults.bits()
+        << m.warnings.bits();
   bytes << m.timing.skew_s << m.timing.skew_sigma_s << m.timing.uncorrected_cost_mm << m.timing.speed_mm_per_s
         << m.timing.settled << m.points.size();
   for (const MeasuredPoint& point : m.points) {

@@ -10,19 +10,19 @@ namespace {
 
 using namespace tripoint::test;
 
-constexpr TimePoint kOldestPicture = kExposed - milliseconds(33);  // of states.h
+constexpr TimePoint kBegan = kExposed - milliseconds(33);  // of states.h
 
 Edition latched(UnitState state) {
-  const Latch latch = filled(requested(Latch{}, kOldestPicture - Duration{1}), state);
+  const Latch latch = filled(requested(Latch{}, kBegan - Duration{1}), state);
   return Edition{std::make_shared<const UnitState>(state), latch, {}};
 }
 
 RegisterImage image_of(const Edition& edition, TimePoint now) { return image_at(edition, ServiceState{}, now); }
 
-TEST(LatchTest, TakesAPoseOnlyWhenAllPicturesCameAfterTheRequest) {
+TEST(LatchTest, TakesAPoseOnlyWhenAllPicturesBeganAfterTheRequest) {
   const UnitState state = unit_state();
-  EXPECT_EQ(filled(requested(Latch{}, kOldestPicture), state).outcome, LatchOutcome::kWaiting);
-  EXPECT_EQ(filled(requested(Latch{}, kOldestPicture - Duration{1}), state).outcome, LatchOutcome::kFilled);
+  EXPECT_EQ(filled(requested(Latch{}, kBegan), state).outcome, LatchOutcome::kWaiting);
+  EXPECT_EQ(filled(requested(Latch{}, kBegan - Duration{1}), state).outcome, LatchOutcome::kFilled);
 }
 
 TEST(LatchTest, TakesTheFirstPoseAndKeepsIt) {

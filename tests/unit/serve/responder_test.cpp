@@ -119,7 +119,7 @@ TEST_F(ResponderTest, ALatchCommandGoesThroughTheRegisters) {
   ask({6, 3, 0xE8, 1, 9});
   EXPECT_THAT(read(3, 40, 2), ElementsAre(3, 4, 1, 9, 0, 1));
   UnitState after = unit_state();
-  after.newest->oldest_exposed = kExposed + milliseconds(13);
+  after.newest->measurement.exposure_began = kExposed + milliseconds(13);
   publication_.publish(after, kExposed + milliseconds(12));
   EXPECT_THAT(read(3, 40, 3), ElementsAre(3, 6, 1, 9, 0, 2, 0, 0));
 }

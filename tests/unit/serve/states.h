@@ -20,6 +20,7 @@ inline Measurement position_measurement(std::uint64_t sequence = 70000) {
   Measurement measurement;
   measurement.sequence = sequence;
   measurement.exposed = kExposed;
+  measurement.exposure_began = kExposed - milliseconds(33);
   measurement.common_time = true;
   measurement.residual_rms_px = 0.043;
   measurement.epipolar_rms_px = 0.052;
@@ -49,7 +50,7 @@ inline UnitState unit_state(const Measurement& measurement = position_measuremen
   state.state = registers::State::kMeasuring;
   state.started = time_from_ns(0);
   state.heartbeat = 41;
-  state.newest = PublishedMeasurement{measurement, kUtcOffset, measurement.exposed - milliseconds(33)};
+  state.newest = PublishedMeasurement{measurement, kUtcOffset};
   state.pose_since_start = true;
   return state;
 }

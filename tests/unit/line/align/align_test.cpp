@@ -1,6 +1,8 @@
 #include "line/align/align.h"
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,6 +27,8 @@ class AlignTest : public ::testing::Test {
   }
   Aligned take(Side side, std::uint32_t frame, double exposed_s, std::vector<RawPixel> spots) {
     Observation seen = picture(side, frame, exposed_s);
+    seen.exposure = exposure_[side];
+    seen.line_time = line_time_[side];
     for (const RawPixel& spot : spots) seen.points.push_back(spot_at(spot, kSigma_px));
     return take(seen);
   }
@@ -41,7 +45,11 @@ class AlignTest : public ::testing::Test {
 
   Tracks tracks_;
   Clocks clocks_;
+  PerSide<std::optional<Duration>> exposure_;
+  PerSide<Duration> line_time_;
 };
+
+double began_s(const Aligned& seen) { return seconds(seen.exposure_began.time_since_epoch()); }
 
 RawPixel straight(double time_s) { return {100.0 + 90.0 * time_s, 80.0 + 30.0 * time_s}; }
 
@@ -149,6 +157,41 @@ TEST_F(AlignTest, AnUnknownSpeedIsAllowedForInEveryDirection) {
   ASSERT_TRUE(seen.due);
   EXPECT_GT(seen.points.right[0].timing_px2(0, 0), 1.0);
   EXPECT_GT(seen.points.right[0].timing_px2(1, 1), 1.0);
+}
+
+TEST_F(AlignTest, ThePicturesBeganHalfTheLongerExposureBeforeTheirMiddle) {
+  exposure_ = {std::chrono::milliseconds(20), std::chrono::milliseconds(30)};
+  take(Side::kLeft, 0, 1.0, {{100, 100}});
+  EXPECT_NEAR(began_s(take(Side::kRight, 0, 1.0, {{90, 100}})), 1.0 - 0.015, 1e-8);
+}
+
+TEST_F(AlignTest, AnInterpolatedPointBeganWithTheEarlierOfItsPictures) {
+  exposure_ = {std::chrono::milliseconds(4), std::chrono::milliseconds(4)};
+  EXPECT_NEAR(began_s(run(20, straight)), 1.0 + 18.0 / 30.0 + 0.010 - 0.002, 1e-8);
+}
+
+TEST_F(AlignTest, AnUnknownExposureIsTakenForTheFramePeriod) {
+  EXPECT_NEAR(began_s(run(20, straight)), 1.0 + 18.0 / 30.0 + 0.010 - 0.5 / 30.0, 1e-8);
+}
+
+TEST_F(AlignTest, AnUnknownExposureIsNotForgottenBeforeThePeriodIsKnown) {
+  take(Side::kLeft, 0, 1.0, {{100, 100}});
+  EXPECT_NEAR(began_s(take(Side::kRight, 0, 1.0, {{90, 100}})), 1.0 - 0.050, 1e-8) << "of a camera at 10 fps";
+}
+
+TEST_F(AlignTest, ALowRowMayNeedAPictureMoreThanTheFirstOne) {
+  exposure_ = {std::chrono::milliseconds(4), std::chrono::milliseconds(4)};
+  line_time_.right = std::chrono::microseconds(60);
+  const auto right_s = [](std::uint32_t frame) { return 1.0 + frame / 30.0 - 0.005; };
+  for (std::uint32_t frame = 0; frame < 20; ++frame) {
+    take(Side::kRight, frame, right_s(frame), {{90, 10}, {300, 400}});
+    take(Side::kLeft, frame, 1.0 + frame / 30.0, {{100, 10}});
+  }
+  const Aligned seen = take(Side::kRight, 20, right_s(20), {{90, 10}, {300, 400}});
+  ASSERT_TRUE(seen.due);
+  EXPECT_EQ(seen.points.right.size(), 2U);
+  // row 400 of picture 19 was exposed 19 ms after the common time: picture 18 is the one before it
+  EXPECT_NEAR(began_s(seen), right_s(18) + 400 * 60e-6 - 0.002, 1e-8);
 }
 
 }  // namespace

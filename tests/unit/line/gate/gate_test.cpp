@@ -14,6 +14,7 @@ struct GateTest : public ::testing::Test {
   GateTest() {
     seen.due = seen.common_time = true;
     seen.at = time_from_ns(5'000'000'000);
+    seen.exposure_began = time_from_ns(4'990'000'000);
     Pair pair;
     pair.id = 1;
     pair.epipolar_px = 0.05;
@@ -41,6 +42,7 @@ TEST_F(GateTest, APoseWithoutFaultsPasses) {
   EXPECT_TRUE(measurement.faults.empty());
   EXPECT_TRUE(measurement.pose);
   EXPECT_EQ(measurement.exposed, seen.at);
+  EXPECT_EQ(measurement.exposure_began, seen.exposure_began);
   EXPECT_TRUE(measurement.warnings.empty());
 }
 
