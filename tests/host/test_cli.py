@@ -12,6 +12,7 @@ from host.register_image import UTC_NS, measuring_image
 
 from host_tool.cli import status as status_command
 from host_tool.cli.main import run
+from host_tool.cli.views import PlainLines
 from host_tool.errors import ExitCode
 from host_tool.trajectories.paths import SCENARIOS
 
@@ -39,7 +40,15 @@ def json_of(capture: Capture, *arguments: str, code: int = ExitCode.PASS) -> Any
 def test_status_names_unit_state_and_remedies(unit: FakeUnit, capsys: Capture) -> None:
     out, err = output_of(capsys, "status", "--device", unit.device)
     assert err == ""
-    for text in ("serial 4711, firmware 0.2.9", "led position, SIMULATED", "measuring, up 3600 s", "p99 980 us"):
+    for text in (
+        "serial 4711, firmware 0.2.9",
+        "led position, SIMULATED",
+        "measuring\n",
+        "for 3600 s",
+        "p99 980 us",
+        "43981 (0xABCD), register 146",
+        "3405643777 (0xCAFE0001)",
+    ):
         assert text in out
     assert "refused clients: check the limits and the allow-list in [modbus]" in out
 
@@ -72,6 +81,29 @@ def test_watch_compares_with_a_truth_file(unit: FakeUnit, capsys: Capture, tmp_p
 def test_watch_knows_the_truth_of_a_scenario_at_the_time_of_exposure(unit: FakeUnit, capsys: Capture) -> None:
     record = json_of(capsys, "watch", "--count", "1", "--truth", "paper-circular", "--device", unit.device)
     assert record["truth_mm"] == pytest.approx(list(SCENARIOS["paper-circular"].position_at_utc_mm(UTC_NS)))
+
+
+def test_watch_refuses_to_compare_real_cameras_with_a_scenario(capsys: Capture, tmp_path: Path) -> None:
+    with fake_unit(lambda: measuring_image(status=0x0447)) as real:
+        arguments = ("watch", "--count", "1", "--device", real.device)
+        out, err = output_of(capsys, *arguments, "--truth", "scout", code=ExitCode.USAGE)
+        assert out == ""
+        assert err.startswith("E-USE-07 this unit measures real cameras")
+        file = tmp_path / "there.csv"
+        output_of(capsys, "simulate", "static-volume", "--out", str(file))
+        out, _ = output_of(capsys, *arguments, "--truth", str(file))  # a place that was measured is a truth
+    assert "error" in out
+
+
+@pytest.mark.parametrize(("limits", "code"), [((), ExitCode.PASS), (("--count", "9"), ExitCode.INTERRUPTED)])
+def test_ctrl_c_ends_well_a_watch_that_has_no_other_end(
+    limits: tuple[str, ...], code: int, unit: FakeUnit, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    def press_ctrl_c(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(PlainLines, "show", press_ctrl_c)
+    output_of(capsys, "watch", *limits, "--device", unit.device, code=code)
 
 
 def test_watch_ends_after_its_seconds(capsys: Capture) -> None:
@@ -122,7 +154,8 @@ def test_demo_of_a_unit_that_is_elsewhere_than_the_truth_fails(unit: FakeUnit, c
     arguments = ("demo", "--seconds", "5.8", "--device", unit.device)
     out, err = output_of(capsys, *arguments, code=ExitCode.FAILED)
     assert "inside k = 2     0.0 % on all three axes" in out
-    assert "0.0% of the poses inside k = 2" in err
+    assert "verdict          failed: 0.0% of the poses inside k = 2" in out
+    assert err == ""
 
 
 @pytest.mark.parametrize(

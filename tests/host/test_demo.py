@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from host.staged import POSE, answer
 
-from host_tool.demo import VERDICTS_MIN, check_simulated, verdict_on
+from host_tool.demo import VERDICTS_MIN, Verdict, check_simulated, exit_code_of, verdict_on
 from host_tool.errors import DeviceError, ExitCode
 from host_tool.watching.tally import Summary
 
@@ -28,6 +28,19 @@ def test_the_verdict_follows_the_limits(summary: Summary, code: ExitCode) -> Non
     verdict = verdict_on(summary)
     assert verdict.exit_code is code
     assert bool(verdict.reasons) is (code is not ExitCode.PASS)
+
+
+@pytest.mark.parametrize(
+    ("code", "endless", "ends"),
+    [
+        (ExitCode.INCONCLUSIVE, True, ExitCode.PASS),
+        (ExitCode.INCONCLUSIVE, False, ExitCode.INCONCLUSIVE),
+        (ExitCode.FAILED, True, ExitCode.FAILED),
+        (ExitCode.PASS, True, ExitCode.PASS),
+    ],
+)
+def test_only_a_run_that_ctrl_c_ends_may_end_before_its_verdict(code: ExitCode, endless: bool, ends: ExitCode) -> None:
+    assert exit_code_of(Verdict(code), endless) is ends
 
 
 def test_a_unit_that_measures_the_real_world_is_refused() -> None:

@@ -19,7 +19,13 @@ IDENTITY = Identity(1, 0, 4711, "0.1.0", "led_position", 1, 1, "reference")
 
 def scene(pose: Pose = POSE, at_s: float = 0.0, fresh: bool = True) -> Scene:
     comparison = Comparison((0.05, 0.0, 400.0), 0.05, inside=True) if pose.position_valid else None
-    return Scene(Sighting(answer(pose), at_s, fresh, 0), comparison, 26.2, Tally().summary())
+    return Scene(
+        Sighting(answer(pose), at_s, fresh, 0),
+        comparison,
+        26.2,
+        None if pose.position_valid else 3.2,
+        Tally().summary(),
+    )
 
 
 def drawn(a_scene: Scene) -> str:
@@ -36,7 +42,7 @@ def test_the_picture_shows_measured_against_truth() -> None:
 
 def test_the_picture_says_why_there_is_no_position() -> None:
     text = drawn(scene(replace(POSE, status=0, faults=1 << 8)))
-    assert "no valid position" in text
+    assert "no valid position for 3.2 s" in text
     assert "fault: outside the working volume: move the target in, or check [volume]" in text
 
 

@@ -126,3 +126,11 @@ def test_the_figures_begin_after_settling() -> None:
     *_, last = scenes(unit, StagedClock(), Course(ORIGIN, settle_s=1.0, seconds=2.0))
     assert last.summary.verdicts == pytest.approx(1.0 / POLL_S, abs=2)  # 1 s; one more or less at each end by rounding
     assert last.summary.inside_share == 1.0
+
+
+def test_a_following_says_for_how_long_it_has_seen_no_valid_position() -> None:
+    blind = [replace(POSE, sequence=number, status=0) for number in (6, 7)]
+    followed = scenes(
+        StagedUnit([POSE, *blind, replace(POSE, sequence=8)]), StagedClock(), Course(seconds=3.5 * POLL_S)
+    )
+    assert [scene.without_s for scene in followed] == [None, 0.0, pytest.approx(POLL_S), None]

@@ -43,5 +43,11 @@ def plain(value: Any) -> Any:
 
 def number(value: float | None, digits: int, unit: str = "") -> str:
     """Fixed digits with the unit, or a dash for what is not known."""
-    text = "-" if value is None else f"{value:.{digits}f}"
-    return f"{text} {unit}" if unit else text
+    if value is None:
+        return "-"
+    return f"{value:.{digits}f} {unit}".rstrip()
+
+
+def identification(value: int, digits: int) -> str:
+    """A number that a PLC compares: decimal, as it sees it, and in hex."""
+    return f"{value} (0x{value:0{digits}X})"

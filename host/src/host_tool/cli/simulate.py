@@ -4,21 +4,28 @@ from pathlib import Path as FilePath
 
 import click
 
-from host_tool.cli.options import Common, common_options
+from host_tool.cli.options import Common, Finite, common_options
 from host_tool.cli.output import print_json
 from host_tool.errors import UsageError
 from host_tool.trajectories.paths import SCENARIOS, scenario_from
 from host_tool.trajectories.table import lines_of
 
 
-@click.command()
-@click.argument("scenario", type=click.Choice(sorted(SCENARIOS)))
-@click.option("--rate", default=100.0, show_default=True, type=click.FloatRange(0.1, 10000.0), help="Rows per second.")
-@click.option("--seconds", type=click.FloatRange(0.1, 3600.0), help="Length; default one period.")
-@click.option("--out", type=click.Path(path_type=FilePath, dir_okay=False), help="File; default stdout.")
+@click.command(epilog="Example: host-tool simulate paper-circular --rate 50 --out circle.csv")
+@click.argument("scenario", metavar="SCENARIO", type=click.Choice(sorted(SCENARIOS)))
+@click.option(
+    "--rate", default=100.0, show_default=True, type=Finite(0.1, 10000.0), metavar="HZ", help="Rows per second."
+)
+@click.option("--seconds", type=Finite(0.1, 3600.0), metavar="SECONDS", help="Length.  [default: one period]")
+@click.option("--out", type=click.Path(path_type=FilePath, dir_okay=False), help="File to write.  [default: stdout]")
 @common_options
 def simulate(common: Common, scenario: str, rate: float, seconds: float | None, out: FilePath | None) -> None:
-    """Write the trajectory of SCENARIO as CSV: t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz in the reference frame."""
+    """Write the path of a scenario as CSV.
+
+    SCENARIO is paper-circular (half a circle and back in 12 s), paper-linear (a line and back in 12 s), scout
+    (the path of a mobile robot's arm and back in 6 s) or static-volume (27 places, 3 s each). Columns:
+    t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz, the target in the reference frame. No unit is asked.
+    """
     path = scenario_from(scenario)
     lines = list(lines_of(path, rate, seconds or path.period_s))
     if out is not None:

@@ -6,22 +6,26 @@ import click
 
 from host_tool.appliance.unit import open_unit
 from host_tool.cli.options import Common, common_options
-from host_tool.cli.output import number, print_json
+from host_tool.cli.output import identification, number, print_json
+from host_tool.cli.plight import doing
 from host_tool.cli.wording import age_of, conditions_of, position_of, time_of
 from host_tool.contract.blocks import Answer, Camera, Health, Identity, Timing
 from host_tool.contract.conditions import Status, status_names
 
 
-@click.command()
+@click.command(epilog="Example: host-tool status --device 192.168.1.20:502")
 @common_options
 def status(common: Common) -> None:
-    """Identity, setup, state, faults with a remedy each, cameras and timing."""
+    """Say what the unit is and how it is.
+
+    Identity, setup, what it is doing and what it lacks, faults and warnings with a remedy each, cameras and timing.
+    """
     with open_unit(common.address, common.timeout_s) as unit:
         identity, answer, health = unit.identity, unit.read_pose(), unit.read_health()
     if common.as_json:
         print_json(_record(identity, answer, health))
         return
-    rows = _identity_rows(identity, answer) + _state_rows(answer) + _health_rows(health)
+    rows = _identity_rows(identity, answer) + _state_rows(answer, health) + _health_rows(health)
     for name, text in rows:
         click.echo(f"{name:<13}{text}")
 
@@ -42,21 +46,23 @@ def _record(identity: Identity, answer: Answer, health: Health) -> dict[str, Any
 
 def _identity_rows(identity: Identity, answer: Answer) -> list[tuple[str, str]]:
     simulated = ", SIMULATED" if answer.state.status & Status.SIMULATED else ""
-    calibration = f"{identity.calibration_id:08x}" if identity.calibration_id else "none"
+    calibration = identification(identity.calibration_id, 8) if identity.calibration_id else "none"
     return [
         ("unit", f"serial {identity.serial_number}, firmware {identity.firmware}"),
         ("map", f"{identity.map_major}.{identity.map_minor}"),
         ("mode", f"{_words(identity.mode)}{simulated}"),
         ("frame", _words(identity.output_frame)),
         ("calibration", calibration),
-        ("setup", f"{answer.pose.setup:04x}, configuration {identity.configuration_id:08x}"),
+        ("config", identification(identity.configuration_id, 8)),
+        ("setup", f"{identification(answer.pose.setup, 4)}, register 146: what a PLC compares"),
     ]
 
 
-def _state_rows(answer: Answer) -> list[tuple[str, str]]:
+def _state_rows(answer: Answer, health: Health) -> list[tuple[str, str]]:
     state, pose = answer.state, answer.pose
     return [
-        ("state", f"{_words(state.state)}, up {state.uptime_s} s, Modbus clients {state.clients}"),
+        ("state", doing(answer, health)),
+        ("running", f"for {state.uptime_s} s, Modbus clients {state.clients}"),
         ("status", ", ".join(_words(name) for name in status_names(state.status)) or "-"),
         ("position", position_of(pose)),
         ("exposed", f"{time_of(pose.exposed_utc_ns)} UTC, age {age_of(pose)}"),

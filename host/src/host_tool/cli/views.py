@@ -14,11 +14,10 @@ from rich.table import Table
 from rich.text import Text
 
 from host_tool.cli.output import is_live, number, print_json
-from host_tool.cli.wording import age_of, conditions_of, line_of, record_of, time_of
+from host_tool.cli.wording import age_of, conditions_of, line_of, position_of, record_of, time_of
 from host_tool.contract.blocks import Identity, Pose
 from host_tool.contract.conditions import Status
 from host_tool.watching.session import Scene
-from host_tool.watching.truth import Comparison
 
 BARS = "▁▂▃▄▅▆▇█"
 HISTORY = 50  # columns of the sparkline; with its name and maximum it fits the panel
@@ -35,7 +34,7 @@ class JsonLines:
     """For programs: every verdict."""
 
     def show(self, scene: Scene) -> None:
-        print_json(record_of(scene.sighting, scene.speed_mm_per_s, scene.comparison))
+        print_json(record_of(scene))
 
 
 class PlainLines:
@@ -51,7 +50,7 @@ class PlainLines:
         if self._next_s is not None and at_s < self._next_s:
             return
         self._next_s = at_s + self._every_s
-        click.echo(line_of(scene.sighting, scene.speed_mm_per_s, scene.comparison), file=self._console.file)
+        click.echo(line_of(scene), file=self._console.file)
 
 
 class Picture:
@@ -90,7 +89,7 @@ def picture_of(scene: Scene, title: str, history: tuple[float, ...]) -> Renderab
     """One redraw."""
     pose = scene.sighting.answer.pose
     simulated = "  SIMULATED" if pose.status & Status.SIMULATED else ""
-    parts: list[RenderableType] = [_axes(pose, scene.comparison), Text(_figures(scene)), *_history_rows(scene, history)]
+    parts: list[RenderableType] = [_axes(pose, scene), Text(_figures(scene)), *_history_rows(scene, history)]
     for kind, condition in conditions_of(scene.sighting.answer):
         style = "bold red" if kind == "fault" else "yellow"
         parts.append(Text(f"{kind}: {condition.words}: {condition.remedy}", style=style))
@@ -105,14 +104,13 @@ def sparkline(values: tuple[float, ...]) -> str:
     return "".join(BARS[min(len(BARS) - 1, int(value / top * len(BARS)))] for value in values)
 
 
-def _axes(pose: Pose, comparison: Comparison | None) -> Table:
+def _axes(pose: Pose, scene: Scene) -> RenderableType:
+    if pose.position_mm is None or pose.uncertainty_mm is None or not pose.position_valid:
+        return Text(position_of(pose, scene.without_s), style="bold red")
     table = Table(box=None, padding=(0, 2))
     for heading in ("", "measured mm", "± (k=2)", "truth mm", "error mm"):
         table.add_column(heading, justify="right")
-    if pose.position_mm is None or pose.uncertainty_mm is None or not pose.position_valid:
-        table.add_row("", "no valid position", "", "", "", style="bold red")
-        return table
-    truth_mm = (None, None, None) if comparison is None else comparison.truth_mm
+    truth_mm = (None, None, None) if scene.comparison is None else scene.comparison.truth_mm
     for name, value, spread, true in zip("xyz", pose.position_mm, pose.uncertainty_mm, truth_mm, strict=True):
         error = None if true is None else value - true
         style = "" if error is None else ("green" if abs(error) <= spread else "yellow")

@@ -6,8 +6,7 @@ from typing import Any
 from host_tool.cli.output import number
 from host_tool.contract.blocks import Answer, Pose
 from host_tool.contract.conditions import Condition, faults_in, status_names, warnings_in
-from host_tool.watching.follow import Sighting
-from host_tool.watching.truth import Comparison
+from host_tool.watching.session import Scene
 
 
 def time_of(utc_ns: int) -> str:
@@ -31,20 +30,22 @@ def conditions_of(answer: Answer) -> list[tuple[str, Condition]]:
     ]
 
 
-def position_of(pose: Pose) -> str:
-    """x y z with expanded uncertainty, or that there is none."""
+def position_of(pose: Pose, without_s: float | None = None) -> str:
+    """x y z with expanded uncertainty, or that there is none, and for how long."""
     if not pose.position_valid or pose.position_mm is None or pose.uncertainty_mm is None:
-        return "no valid position"
+        return "no valid position" + (f" for {without_s:.1f} s" if without_s else "")
     axes = zip("xyz", pose.position_mm, pose.uncertainty_mm, strict=True)
     return "  ".join(f"{name} {value:9.3f} ±{spread:.3f}" for name, value, spread in axes) + " mm"
 
 
-def line_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Comparison | None) -> str:
+def line_of(scene: Scene) -> str:
     """One verdict in one line."""
+    sighting, comparison = scene.sighting, scene.comparison
     pose = sighting.answer.pose
-    parts = [time_of(pose.exposed_utc_ns), f"#{pose.sequence}", position_of(pose), f"age {age_of(pose)}"]
-    if speed_mm_per_s is not None:
-        parts.append(f"speed {speed_mm_per_s:.0f} mm/s")
+    position = position_of(pose, scene.without_s)
+    parts = [time_of(pose.exposed_utc_ns), f"#{pose.sequence}", position, f"age {age_of(pose)}"]
+    if scene.speed_mm_per_s is not None:
+        parts.append(f"speed {scene.speed_mm_per_s:.0f} mm/s")
     if comparison is not None:
         inside = "inside" if comparison.inside else "OUTSIDE"
         parts.append(f"error {comparison.error_mm:.3f} mm {inside} k=2")
@@ -56,8 +57,9 @@ def line_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Compar
     return "  ".join(parts)
 
 
-def record_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Comparison | None) -> dict[str, Any]:
+def record_of(scene: Scene) -> dict[str, Any]:
     """One verdict for machines."""
+    sighting, comparison = scene.sighting, scene.comparison
     state, pose = sighting.answer.state, sighting.answer.pose
     return {
         "sequence": pose.sequence,
@@ -68,12 +70,13 @@ def record_of(sighting: Sighting, speed_mm_per_s: float | None, comparison: Comp
         "exposed_utc_ns": pose.exposed_utc_ns,
         "age_ms": pose.age_ms,
         "valid": pose.position_valid,
+        "without_s": scene.without_s,
         "position_mm": pose.position_mm,
         "uncertainty_mm": pose.uncertainty_mm,
         "quaternion_wxyz": pose.quaternion_wxyz,
         "angles_deg": pose.angles_deg,
         "uncertainty_deg": pose.uncertainty_deg,
-        "speed_mm_per_s": speed_mm_per_s,
+        "speed_mm_per_s": scene.speed_mm_per_s,
         "residual_px": pose.residual_px,
         "setup": pose.setup,
         "status": status_names(pose.status),

@@ -27,15 +27,22 @@ class Scene:
     sighting: Sighting
     comparison: Comparison | None
     speed_mm_per_s: float | None
+    without_s: float | None  # how long this following has seen no valid position; None while there is one
     summary: Summary  # from the end of settling on
 
 
 def scenes(source: Source, clock: Clock, course: Course) -> Iterator[Scene]:
     """Follows to the end of the course."""
     tally, speedometer, start_s = Tally(), Speedometer(), clock.now_s()
+    lost_s: float | None = None
     for sighting in follow(source, clock, course.seconds):
         pose = sighting.answer.pose
         comparison = None if course.truth is None else compared(pose, course.truth)
         if sighting.at_s - start_s >= course.settle_s:
             tally.add(sighting, comparison)
-        yield Scene(sighting, comparison, speedometer.take(pose), tally.summary())
+        if pose.position_valid:
+            lost_s = None
+        elif lost_s is None:
+            lost_s = sighting.at_s
+        without_s = None if lost_s is None else sighting.at_s - lost_s
+        yield Scene(sighting, comparison, speedometer.take(pose), without_s, tally.summary())

@@ -32,6 +32,16 @@ def compared(pose: Pose, truth: Path) -> Comparison | None:
     )
 
 
+def check_scenario_on(simulated: bool) -> None:
+    """A scenario says where a simulated target is; what real cameras see follows none (UsageError E-USE-07)."""
+    if not simulated:
+        raise UsageError(
+            "E-USE-07",
+            "this unit measures real cameras: a scenario does not say where its target is",
+            "give --truth a CSV of where the target truly is, or leave --truth away",
+        )
+
+
 def check_comparable(identity: Identity) -> None:
     """Truth is given in the reference frame: poses in another cannot be compared (UsageError E-USE-02)."""
     if identity.output_frame != "reference":
