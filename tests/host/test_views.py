@@ -46,6 +46,12 @@ def test_the_picture_says_why_there_is_no_position() -> None:
     assert "fault: outside the working volume: move the target in, or check [volume]" in text
 
 
+def test_a_long_remedy_is_not_cut_off() -> None:
+    text = drawn(scene(replace(POSE, status=0, faults=1 << 1, warnings=1 << 10)))
+    assert "resumes by itself" in " ".join(text.replace("│", " ").split())
+    assert "for disk, line or permission" in " ".join(text.replace("│", " ").split())
+
+
 def test_the_picture_shows_a_hang() -> None:
     assert "NOTHING NEW" in drawn(scene(fresh=False))
 

@@ -77,19 +77,22 @@ def _health_rows(health: Health) -> list[tuple[str, str]]:
 def _camera(camera: Camera) -> str:
     return (
         f"{camera.state}, {number(camera.rate_hz, 2, 'fps')}, exposure {number(camera.exposure_us, 0, 'us')}, "
-        f"{camera.dropped_frames} dropped, {camera.resets} resets, {camera.spots} spots, "
+        f"{camera.dropped_frames} dropped, resets {camera.resets}, spots {camera.spots}, "
         f"peak {number(camera.spot_peak, 0)}, mean {number(camera.image_mean, 0)}"
     )
 
 
 def _timing_rows(timing: Timing) -> list[tuple[str, str]]:
-    skew, spread = number(timing.skew_us, 0), number(timing.skew_uncertainty_us, 0)
-    p50, p99 = number(timing.latency_p50_us, 0), number(timing.latency_p99_us, 0)
+    skew, spread = number(timing.skew_us, 0, "us"), number(timing.skew_uncertainty_us, 0, "us")
+    p50, p99 = number(timing.latency_p50_us, 0, "us"), number(timing.latency_p99_us, 0, "us")
     return [
-        ("skew", f"{skew} ±{spread} us, uncorrected it would cost {number(timing.skew_cost_mm, 3, 'mm')}"),
-        ("latency", f"p50 {p50} us, p99 {p99} us from the later frame to the registers"),
-        ("epipolar", f"{number(timing.epipolar_rms_px, 3)} px RMS"),
-        ("board", f"{number(timing.cpu_temperature_c, 1)} degC, load {number(timing.load_percent, 0)} %"),
+        (
+            "skew",
+            f"right minus left {skew}, ± {spread}, uncorrected it would cost {number(timing.skew_cost_mm, 3, 'mm')}",
+        ),
+        ("latency", f"p50 {p50}, p99 {p99} from the later frame to the registers"),
+        ("epipolar", f"{number(timing.epipolar_rms_px, 3, 'px')} RMS"),
+        ("board", f"{number(timing.cpu_temperature_c, 1, 'degC')}, load {number(timing.load_percent, 0, '%')}"),
     ]
 
 

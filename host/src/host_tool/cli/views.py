@@ -18,6 +18,7 @@ from host_tool.cli.wording import age_of, conditions_of, line_of, position_of, r
 from host_tool.contract.blocks import Identity, Pose
 from host_tool.contract.conditions import Status
 from host_tool.watching.session import Scene
+from host_tool.watching.tally import Summary
 
 BARS = "▁▂▃▄▅▆▇█"
 HISTORY = 50  # columns of the sparkline; with its name and maximum it fits the panel
@@ -92,7 +93,7 @@ def picture_of(scene: Scene, title: str, history: tuple[float, ...]) -> Renderab
     parts: list[RenderableType] = [_axes(pose, scene), Text(_figures(scene)), *_history_rows(scene, history)]
     for kind, condition in conditions_of(scene.sighting.answer):
         style = "bold red" if kind == "fault" else "yellow"
-        parts.append(Text(f"{kind}: {condition.words}: {condition.remedy}", style=style))
+        parts.append(Text(f"{kind}: {condition.words}: {condition.remedy}", style=style, no_wrap=False))
     return Panel(Group(*parts), title=f"{title}{simulated}", title_align="left", width=78)
 
 
@@ -108,27 +109,37 @@ def _axes(pose: Pose, scene: Scene) -> RenderableType:
     if pose.position_mm is None or pose.uncertainty_mm is None or not pose.position_valid:
         return Text(position_of(pose, scene.without_s), style="bold red")
     table = Table(box=None, padding=(0, 2))
-    for heading in ("", "measured mm", "± (k=2)", "truth mm", "error mm"):
+    headings = ("", "measured mm", "± (k=2)", "truth mm", "error mm")
+    for heading in headings if scene.comparison is not None else headings[:3]:
         table.add_column(heading, justify="right")
-    truth_mm = (None, None, None) if scene.comparison is None else scene.comparison.truth_mm
-    for name, value, spread, true in zip("xyz", pose.position_mm, pose.uncertainty_mm, truth_mm, strict=True):
-        error = None if true is None else value - true
-        style = "" if error is None else ("green" if abs(error) <= spread else "yellow")
-        table.add_row(name, number(value, 3), number(spread, 3), number(true, 3), Text(number(error, 3), style=style))
+    for axis, (value, spread) in enumerate(zip(pose.position_mm, pose.uncertainty_mm, strict=True)):
+        cells = ["xyz"[axis], number(value, 3), number(spread, 3)]
+        if scene.comparison is None:
+            table.add_row(*cells)
+            continue
+        truth = scene.comparison.truth_mm[axis]
+        style = "green" if abs(value - truth) <= spread else "yellow"
+        table.add_row(*cells, number(truth, 3), Text(number(value - truth, 3), style=style))
     return table
 
 
 def _figures(scene: Scene) -> str:
-    pose, summary = scene.sighting.answer.pose, scene.summary
+    pose = scene.sighting.answer.pose
     lines = [
         f"exposed {time_of(pose.exposed_utc_ns)} UTC   age {age_of(pose)}   "
         f"speed {number(scene.speed_mm_per_s, 0, 'mm/s')}   #{pose.sequence}",
-        f"{number(summary.rate_hz, 1, 'Hz')}   {summary.poses} poses of {summary.verdicts} verdicts, "
-        f"{summary.missed} missed",
+        _counted(scene.summary),
     ]
     if not scene.sighting.fresh:
         lines.append("NOTHING NEW: the unit has stopped bringing verdicts")
     return "\n".join(lines)
+
+
+def _counted(summary: Summary) -> str:
+    if summary.verdicts == 0:
+        return "settling: not counted yet"
+    rate = number(summary.rate_hz, 1, "Hz")
+    return f"{rate}   {summary.poses} poses of {summary.verdicts} verdicts, {summary.missed} missed"
 
 
 def _history_rows(scene: Scene, history: tuple[float, ...]) -> list[Text]:

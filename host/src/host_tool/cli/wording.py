@@ -9,6 +9,9 @@ from host_tool.contract.conditions import Condition, faults_in, status_names, wa
 from host_tool.watching.session import Scene
 
 
+WORTH_SAYING_S = 0.1  # a verdict or two without a position have no "for"
+
+
 def time_of(utc_ns: int) -> str:
     """Time of day in UTC with ms; a dash before the first verdict."""
     if utc_ns == 0:
@@ -33,7 +36,7 @@ def conditions_of(answer: Answer) -> list[tuple[str, Condition]]:
 def position_of(pose: Pose, without_s: float | None = None) -> str:
     """x y z with expanded uncertainty, or that there is none, and for how long."""
     if not pose.position_valid or pose.position_mm is None or pose.uncertainty_mm is None:
-        return "no valid position" + (f" for {without_s:.1f} s" if without_s else "")
+        return "no valid position" + (f" for {without_s:.1f} s" if without_s and without_s >= WORTH_SAYING_S else "")
     axes = zip("xyz", pose.position_mm, pose.uncertainty_mm, strict=True)
     return "  ".join(f"{name} {value:9.3f} ±{spread:.3f}" for name, value, spread in axes) + " mm"
 
