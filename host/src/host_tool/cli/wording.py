@@ -8,7 +8,6 @@ from host_tool.contract.blocks import Answer, Pose
 from host_tool.contract.conditions import Condition, faults_in, status_names, warnings_in
 from host_tool.watching.session import Scene
 
-
 WORTH_SAYING_S = 0.1  # a verdict or two without a position have no "for"
 
 
