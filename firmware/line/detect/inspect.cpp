@@ -201,7 +201,7 @@ void Inspector::make_point(const SpotMeasurement& measured) {
                       .amplitude = fit.visible_amplitude,
                       .sigma_px = fit.model.sigma_px,
                       .peak = static_cast<double>(measured.peak_luma),
-                      .saturated = seen_.peak >= static_cast<float>(settings_.clip),
+                      .saturated = measured.peak_luma >= settings_.luma_clip,
                       .weak = by_strength};
 }
 

@@ -10,7 +10,9 @@ namespace {
 constexpr double kLargestLumaShare = 1.15;  ///< the spot may not be wider in Y than in S
 constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's centre against the area's
 constexpr double kFade_px = 3.0;            ///< over more than the mosaic's cell of 2 px
-constexpr double kRoughly_px = 0.1;         ///< a first fit that another one follows need not settle further
+constexpr double kReach =
+    1.6;  ///< of the radius at half contrast, 1.9 sigma: a wider window costs more and tells no more
+constexpr double kRoughly_px = 0.1;  ///< a first fit that another one follows need not settle further
 
 double distance_px(const SpotModel& model, const Area& area) {
   return std::hypot(model.column - area.column, model.row - area.row);
@@ -33,7 +35,7 @@ void SpotMeasurer::frame(const IsolatedSpot& spot) {
   const auto center_column = static_cast<int>(std::lround(spot.area.column));
   const auto center_row = static_cast<int>(std::lround(spot.area.row));
   const SpotWindow::Part shown = spot.window.in_picture();
-  reach_ = std::clamp(static_cast<int>(std::ceil(2.0 * spot.area.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
+  reach_ = std::clamp(static_cast<int>(std::ceil(kReach * spot.area.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
   box_.left = std::max(shown.left, center_column - reach_);
   box_.top = std::max(shown.top, center_row - reach_);
   box_.right = std::min(shown.right, center_column + reach_);

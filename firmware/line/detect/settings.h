@@ -31,9 +31,8 @@ struct LedDetectorSettings {
   double weak_amplitude = 12.0;       ///< Y: below it S is measured instead of Y, and the spot is marked weak
   double min_amplitude = 20.0;        ///< S/4: below it the spot is refused
   // Measuring.
-  int clip = 1160;        ///< S: the red channel is clipped above (1206 in BT.601 limited range, 1248 in JPEG's)
   int hide_above = 1100;  ///< S: such pixels are not measured, and those around them less; mosaic and chroma bend them
-  int luma_clip = 233;    ///< Y: all three channels are clipped above
+  int luma_clip = 233;    ///< Y: all three channels are clipped above; the spot is marked as saturated
   /// Rendered 640x480 frames with mosaic and 4:2:2 err by 0.015 to 0.04 px: there 0.04 is honest.
   double floor_px = 0.10;        ///< standard deviation per axis of what the fit cannot see: demosaicing, chroma, shape
   double split_floor_px = 0.15;  ///< more of it where only the top of a spot stands alone, or S was measured

@@ -68,7 +68,7 @@ struct SpotFit {
 /// Where to begin: moments of what rises above 20 % of the contrast over `background`, hidden pixels included.
 SpotModel threshold_subtracted_start(const FitWindow& window, double background);
 
-inline constexpr double kSettled_px = 0.02;  ///< of centre and sigma; the step itself leaves a small part of it
+inline constexpr double kSettled_px = 0.05;  ///< of centre and sigma; the step itself leaves a small part of it
 
 /// Gauss-Newton with light damping, at most 7 steps.
 ///
