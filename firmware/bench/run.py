@@ -18,6 +18,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from instructions import in_function
+
 TOP = Path(__file__).parents[2]
 WARM_UP_S = 25.0  # longer than the window of latencies that the unit keeps
 LOAD_S = 20
@@ -34,6 +36,12 @@ class Figure:
     ratio: float | None = None
 
 
+def at_least(name: str, baseline: float, value: float, limit: float) -> Figure:
+    """How many times less than the baseline."""
+    ratio = baseline / value
+    return Figure(name, ratio, "ratio", f">= {limit:g}", ratio >= limit, baseline, ratio)
+
+
 def at_most(name: str, value: float, unit: str, limit: float) -> Figure:
     return Figure(name, value, unit, f"<= {limit:g}", value <= limit)
 
@@ -44,6 +52,14 @@ def of_program(program: Path, *arguments: str) -> list[dict[str, Any]]:
     run = subprocess.run([program, *arguments], stdout=subprocess.PIPE, check=True, text=True)
     figures: list[dict[str, Any]] = json.loads(run.stdout)
     return figures
+
+
+def of_instructions(programs: Path) -> list[dict[str, Any]]:
+    """What a stereo pair costs, in instructions."""
+    print("bench: bench_pair under callgrind ...", file=sys.stderr, flush=True)
+    ours, textbook = (in_function("*measured_pair*", programs / "bench_pair", kind) for kind in ("ours", "textbook"))
+    print(f"pair of 640x480: {ours:.0f} instructions, textbook {textbook:.0f}", file=sys.stderr)
+    return [asdict(at_least("pair_instructions_vs_textbook", textbook, ours, 50))]
 
 
 def free_port() -> int:
@@ -114,6 +130,7 @@ def table(figures: list[dict[str, Any]]) -> str:
 def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
+    figures += of_instructions(programs)
     figures += [figure for figure in of_program(programs / "bench_modbus") if figure["name"] == "torn_reads"]
     figures += of_the_unit(programs)
     output.write_text(json.dumps(figures, indent=1) + "\n")
