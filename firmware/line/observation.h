@@ -28,7 +28,7 @@ struct ImagePoint {
   double amplitude = 0.0;  ///< luma steps above the background
   double sigma_px = 0.0;   ///< fitted size of the spot
   double peak = 0.0;       ///< largest luma value
-  bool saturated = false;
+  bool saturated = false;  ///< all three channels clip; a clipped red channel alone is the recommended exposure
   bool weak = false;
 };
 
@@ -40,7 +40,7 @@ struct ImageHealth {
   double peak_luma = 0.0;       ///< of the brightest spot
   double focus = 0.0;           ///< 1 / fitted sigma of the sharpest spot, 1/px
   bool candidates_cut = false;  ///< more candidates than the cap: not everything was looked at
-  bool identical = false;       ///< bit-identical to the picture before: the camera repeats itself
+  bool identical = false;       ///< bit-identical to an earlier picture: the camera repeats itself
 };
 
 struct Observation {

@@ -107,14 +107,15 @@ TEST(DifficultSpotsTest, LedWhoseCentreShowsIsRefusedOrCoveredByItsCovariance) {
   }
 }
 
-TEST(DifficultSpotsTest, ClippedLedIsMarkedAndMeasured) {
-  for (const double peak : {1.5, 3.0, 10.0}) {
+TEST(DifficultSpotsTest, LedWhoseThreeColoursClipIsMarkedOneWhoseRedClipsIsNotAndBothAreMeasured) {
+  const double all_clip = 1.0 / *std::min_element(bench::kRedLed.begin(), bench::kRedLed.end());  // 33
+  for (const double peak : {1.5, 3.0, 10.0, 20.0, 100.0}) {
     Painting painting(kSize, 0.02);
     const RawPixel at{300.2, 200.4};
     painting.add(Light{.at = at, .peak = peak});
     const Seen seen = seen_in(painting);
     ASSERT_EQ(seen.detection.points.size(), 1U) << peak;
-    EXPECT_TRUE(seen.detection.points[0].saturated) << peak;
+    EXPECT_EQ(seen.detection.points[0].saturated, peak > all_clip) << peak;
     EXPECT_LT(chi2(seen.detection.points[0], at), kChi2Limit) << peak;
   }
 }
