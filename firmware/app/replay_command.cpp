@@ -111,7 +111,7 @@ class EventMaker {
     seen.line_time = frame.line_time;
     seen.points = found.points;
     seen.health = found.health;
-    seen.health.identical = repeats_[frame.side].repeats(frame.data);
+    seen.health.identical = repeats_[frame.side].repeats(*picture);
     return seen;
   }
 

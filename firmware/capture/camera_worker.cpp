@@ -75,31 +75,49 @@ Error CameraWorker::serve(const std::stop_token& stop) {
   status_.info = (*camera)->info();
   last_sequence_.reset();
   rate_.restart();
-  const TimePoint opened = links_.clock.now();
-  bool delivered = false;
-  int corrupt_in_a_row = 0;
+  connection_ = {.opened = links_.clock.now()};
   while (!stop.stop_requested()) {
     const Result<Observation> observation = observe(**camera);
-    if (observation) {
-      delivered = true;
-      corrupt_in_a_row = 0;
-      deliver(*observation);
-      continue;
-    }
-    if (may_still_start(observation.error(), delivered, opened)) continue;
-    if (observation.error().code != ErrorCode::kCorruptFrame) return observation.error();
-    ++status_.corrupt;
-    note(observation.error());
-    if (++corrupt_in_a_row == limits_.corrupt_in_a_row) {
-      return {ErrorCode::kCorruptFrame, fmt::format("{} damaged frames in a row, the last: {}; check cable and bus",
-                                                    corrupt_in_a_row, observation.error().message)};
-    }
+    const std::optional<Error> ending = observation ? take(*observation) : take(observation.error());
+    if (ending) return *ending;
   }
   return {ErrorCode::kTimeout, "asked to stop"};
 }
 
-bool CameraWorker::may_still_start(const Error& error, bool delivered, TimePoint opened) const {
-  return error.code == ErrorCode::kTimeout && !delivered && links_.clock.now() - opened < limits_.first_frame;
+/// Only a new picture ends a row: damaged and repeated ones may take turns.
+std::optional<Error> CameraWorker::take(const Observation& observation) {
+  if (!observation.health.identical) {
+    connection_ = {.opened = connection_.opened, .delivered = true};
+    deliver(observation);
+    return std::nullopt;
+  }
+  ++status_.repeated;
+  if (lost_) {
+    links_.status.put(status_);
+  } else {
+    deliver(observation);
+  }
+  if (++connection_.repeated_in_a_row < limits_.repeated_in_a_row) return std::nullopt;
+  return Error{
+      ErrorCode::kDeviceFault,
+      fmt::format("frozen: the last {} pictures repeat earlier ones to the bit; it is opened anew, and if that "
+                  "does not help, check that it is not covered, and plug it in again",
+                  connection_.repeated_in_a_row)};
+}
+
+std::optional<Error> CameraWorker::take(const Error& error) {
+  if (may_still_start(error)) return std::nullopt;
+  if (error.code != ErrorCode::kCorruptFrame) return error;
+  ++status_.corrupt;
+  note(error);
+  if (++connection_.corrupt_in_a_row < limits_.corrupt_in_a_row) return std::nullopt;
+  return Error{ErrorCode::kCorruptFrame, fmt::format("{} damaged frames in a row, the last: {}; check cable and bus",
+                                                     connection_.corrupt_in_a_row, error.message)};
+}
+
+bool CameraWorker::may_still_start(const Error& error) const {
+  return error.code == ErrorCode::kTimeout && !connection_.delivered &&
+         links_.clock.now() - connection_.opened < limits_.first_frame;
 }
 
 Result<Observation> CameraWorker::observe(Camera& camera) {
@@ -117,7 +135,7 @@ Result<Observation> CameraWorker::observe(Camera& camera) {
   observation.arrived = frame->arrived;
   observation.line_time = frame->line_time;
   if (camera.info().exposure > Duration{0}) observation.exposure = camera.info().exposure;
-  observation.health.identical = repeat_check_.repeats(frame->data);
+  observation.health.identical = repeat_check_.repeats(*picture);
   return observation;
 }
 
@@ -128,7 +146,6 @@ Result<Picture> CameraWorker::picture_from(const Frame& frame) {
 }
 
 void CameraWorker::count_frame(const Frame& frame) {
-  ++status_.frames;
   status_.dropped += frames_missing(last_sequence_, frame.sequence);
   last_sequence_ = frame.sequence;
   rate_.take(frame.arrived);
@@ -136,7 +153,7 @@ void CameraWorker::count_frame(const Frame& frame) {
 }
 
 void CameraWorker::deliver(const Observation& observation) {
-  status_.repeated += observation.health.identical ? 1U : 0U;
+  ++status_.frames;
   status_.delivering = true;
   links_.status.put(status_);
   if (lost_) links_.events.push(CameraBack{side_, links_.clock.now()});

@@ -27,7 +27,7 @@ struct CameraStatus {
   std::uint64_t frames = 0;    ///< that became observations
   std::uint64_t dropped = 0;   ///< numbers missing in the driver's sequence, damaged frames included
   std::uint64_t corrupt = 0;   ///< arrived damaged
-  std::uint64_t repeated = 0;  ///< identical to the bit to the one before
+  std::uint64_t repeated = 0;  ///< identical to the bit to one not long before: see RepeatCheck
   std::uint64_t losses = 0;    ///< times the camera stopped delivering, or could not be opened at first
   std::string last_error;      ///< "" until something went wrong; names the side
 };
@@ -38,6 +38,8 @@ struct CameraLimits {
   Duration first_retry = std::chrono::milliseconds(200);
   Duration last_retry = std::chrono::seconds(2);  ///< the pause doubles from the first to this
   int corrupt_in_a_row = 5;                       ///< so many, and the camera is lost; a sixth of a second at 30 Hz
+  int repeated_in_a_row = 30;  ///< the same; the line gives no pose from the first repeat on, so there is no hurry to
+                               ///< close a camera that may only see a dark scene
 };
 
 using OpenCamera = std::function<Result<std::unique_ptr<Camera>>()>;
@@ -69,13 +71,24 @@ class CameraWorker {
   /// Runs until stop is requested, noticed within limits.frame (a slow open() aside), or a recording is over.
   ///
   /// Pushes an Observation for each good frame; CameraLost once when the camera cannot be opened or stops delivering
-  /// (timeout, unplugged, driver fault, damaged frames in a row, end of a recording); CameraBack before the first
-  /// observation after a loss.
+  /// (timeout, unplugged, driver fault, damaged or repeated frames in a row, end of a recording); CameraBack before
+  /// the first observation after a loss. After a loss a picture from before it is no sign of life: what was shown last
+  /// is remembered over closing and opening.
   void run(const std::stop_token& stop);
 
  private:
+  /// Since the camera was opened.
+  struct Connection {
+    TimePoint opened{};
+    bool delivered = false;
+    int corrupt_in_a_row = 0;
+    int repeated_in_a_row = 0;
+  };
+
   Error serve(const std::stop_token& stop);
-  [[nodiscard]] bool may_still_start(const Error& error, bool delivered, TimePoint opened) const;
+  std::optional<Error> take(const Observation& observation);
+  std::optional<Error> take(const Error& error);
+  [[nodiscard]] bool may_still_start(const Error& error) const;
   Result<Observation> observe(Camera& camera);
   Result<Picture> picture_from(const Frame& frame);
   void count_frame(const Frame& frame);
@@ -91,6 +104,7 @@ class CameraWorker {
   RepeatCheck repeat_check_;
   FrameRate rate_;
   CameraStatus status_;
+  Connection connection_;
   std::optional<std::uint32_t> last_sequence_;
   bool lost_ = false;
 };

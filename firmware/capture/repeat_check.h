@@ -1,24 +1,29 @@
-// Notices a camera that hands out the same picture again and again with fresh time stamps.
+// Notices a camera that hands out old pictures with fresh time stamps.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
+
+#include "ports/frame.h"
 
 namespace tripoint {
 
-/// Reads a seventh of each picture (about 10 us at 640x480 YUYV); only when that seventh has not changed is the whole
-/// picture read, and only two equal whole pictures are called a repeat. So the second copy of a picture is the first
-/// to be called one, and a difference of one bit anywhere is never called a repeat but for a 64-bit hash collision.
+/// Pictures that are remembered: no V4L2 driver has more buffers to go round in (VIDEO_MAX_FRAME).
+inline constexpr std::size_t kPicturesRemembered = 32;
+
+/// Two pictures of a sensor differ by its noise, so one that equals an earlier one to the bit is that earlier one. The
+/// whole luma plane is compared (in YUYV its chroma too), as it is after decoding: what else a JPEG carries may count
+/// on while its picture stands. Different pictures are taken for equal only by a collision of 64-bit hashes.
 class RepeatCheck {
  public:
-  /// @param data the picture as the camera delivered it, packed or compressed
-  /// @return true when the picture before was the same to the bit, and the one before it in the seventh that was read
-  bool repeats(std::span<const std::uint8_t> data);
+  /// Costs 45 us for 640x480 YUYV and 22 us for a decoded JPEG of that size: a thousandth of a frame period.
+  ///
+  /// @return true when the picture equals one of the last kPicturesRemembered different ones
+  bool repeats(const Picture& picture);
 
  private:
-  std::optional<std::uint64_t> sample_;
-  std::optional<std::uint64_t> whole_;
+  std::array<std::uint64_t, kPicturesRemembered> seen_{};  // newest first; one that comes again is the newest again
 };
 
 }  // namespace tripoint

@@ -6,7 +6,7 @@
 namespace tripoint {
 namespace {
 
-constexpr int kMostRepeats = 2;  // the first copy is not called one: with the third copy the camera counts as lost
+constexpr int kMostRepeats = 2;  // one may be chance, in a dark scene, or a camera that fills up its rate
 
 TimePoint time_of(const Event& event) {
   if (const auto* seen = std::get_if<Observation>(&event)) return seen->arrived;
@@ -38,10 +38,8 @@ void Tracks::take(const Observation& seen) {
   Presence& presence = presence_[seen.side];
   presence.last_sign = now_;
   presence.repeats = seen.health.identical ? presence.repeats + 1 : 0;
-  if (presence.repeats >= kMostRepeats) {
-    lose(seen.side);
-    return;
-  }
+  if (presence.repeats >= kMostRepeats) lose(seen.side);
+  if (seen.health.identical) return;
   welcome(seen.side);
   tracks_[seen.side].take(seen);
   fresh_ = seen.side;

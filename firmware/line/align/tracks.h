@@ -15,8 +15,9 @@ class Tracks {
   /// Forgets every picture; which camera is lost stays known.
   void start_over(Duration camera_silence);
 
-  /// A camera is lost when it says so, is silent for too long, or repeats one picture; with its next picture, or when
-  /// its thread says so, it is back.
+  /// A camera is lost when it says so, is silent for too long, or repeats itself twice in a row; with its next new
+  /// picture, or when its thread says so, it is back. A repeated picture is old whatever its stamp says: it is left
+  /// out.
   void take(const Event& event);
 
   const Track& operator[](Side side) const { return tracks_[side]; }
@@ -32,7 +33,7 @@ class Tracks {
   struct Presence {
     bool lost = false;
     bool changed = false;
-    int repeats = 0;        // of one bit-identical picture
+    int repeats = 0;        // in a row
     TimePoint last_sign{};  // of life
   };
   void take(const Observation& seen);

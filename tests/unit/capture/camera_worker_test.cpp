@@ -94,15 +94,16 @@ TEST(CameraWorkerTest, ASequenceThatStartsAgainIsNotALoss) {
   EXPECT_EQ(bench.status().dropped, 0U);
 }
 
-TEST(CameraWorkerTest, RepeatedPicturesAreMarkedFromTheSecondCopy) {
-  WorkerBench bench({Script{ScriptedFrame{1, 9}, ScriptedFrame{2, 9}, ScriptedFrame{3, 9}, ScriptedFrame{4, 8}}});
+TEST(CameraWorkerTest, RepeatedPicturesAreMarkedFromTheFirstCopy) {
+  WorkerBench bench({Script{ScriptedFrame{1, 9}, ScriptedFrame{2, 9}, ScriptedFrame{3, 8}, ScriptedFrame{4, 9}}});
   bench.run();
   const auto seen = bench.observations();
   ASSERT_EQ(seen.size(), 4U);
   EXPECT_FALSE(seen[0].health.identical);
-  EXPECT_TRUE(seen[2].health.identical);
-  EXPECT_FALSE(seen[3].health.identical);
-  EXPECT_EQ(bench.status().repeated, 1U);
+  EXPECT_TRUE(seen[1].health.identical);
+  EXPECT_FALSE(seen[2].health.identical);
+  EXPECT_TRUE(seen[3].health.identical);
+  EXPECT_EQ(bench.status().repeated, 2U);
 }
 
 TEST(CameraWorkerTest, TheRateIsThatOfTheArrivals) {

@@ -127,6 +127,22 @@ TEST_F(LineCamerasTest, ACameraThatRepeatsItselfIsLostWithinThreePictures) {
   EXPECT_FALSE(found.back().common_time);
 }
 
+TEST_F(LineCamerasTest, ARepeatedPictureNeitherIsMeasuredNorBringsACameraBack) {
+  feed(0.0, 2.0);
+  Observation old;
+  old.side = Side::kRight;
+  old.arrived = old.exposed = at(2.01);
+  old.health.identical = true;
+  EXPECT_FALSE(line_.step(old)) << "one repeat is a frame left out";
+  ASSERT_TRUE(line_.step(CameraLost{Side::kRight, at(2.02)}));
+  for (const double t_s : {2.03, 2.04, 2.05}) {
+    old.arrived = old.exposed = at(t_s);
+    EXPECT_FALSE(line_.step(old));
+  }
+  EXPECT_EQ(line_.step(CameraLost{Side::kLeft, at(2.06)})->faults,
+            (Faults{Fault::kLeftCameraLost, Fault::kRightCameraLost}));
+}
+
 TEST_F(LineCamerasTest, TicksAloneGiveNoVerdict) {
   feed(0.0, 2.0);
   // the last pictures arrived at 1.977 s
