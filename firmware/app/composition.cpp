@@ -100,7 +100,8 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   if (!cameras) return tl::make_unexpected(cameras.error());
   Result<ModbusServer> server = ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
   if (!server) return tl::make_unexpected(server.error());
-  spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(), setup->constants.identity.setup);
+  spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(),
+               setup_text(setup->constants.identity.setup));
 
   CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left));
   CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right));

@@ -35,36 +35,84 @@ struct Arguments {
   ReplayOptions replay;
 };
 
+constexpr const char* kExitCodes =
+    "Exit codes: 0 well; 2 usage, configuration, an unreadable file, a port in use or an output that cannot be\n"
+    "written; 3 a device is missing (never from run, which waits); 70 our fault. Messages go to stderr.\n\n"
+    "Example: tripointd run --config unit.toml";
+
+void add_configuration(CLI::App& command, Arguments& arguments, const std::string& name) {
+  command.add_option(name, arguments.config, "configuration file (docs/reference/configuration.md)")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("--set", arguments.overrides, "overrides values of the file, as modbus.port=1503; may be repeated")
+      ->type_name("KEY=VALUE");
+}
+
+void describe_running(CLI::App& app, Arguments& arguments) {
+  CLI::App* run = app.add_subcommand("run", "Measures and serves Modbus until SIGINT or SIGTERM.");
+  add_configuration(*run, arguments, "--config");
+  run->footer(
+      "A missing camera is waited for. The log goes to stderr.\n\n"
+      "Example: tripointd run --config unit.toml --set modbus.port=502");
+
+  CLI::App* check = app.add_subcommand("check-config", "Says whether `run` would start with a file.");
+  add_configuration(*check, arguments, "file");
+  check->get_option("file")->description("configuration file, written before --set (docs/reference/configuration.md)");
+  check->footer(
+      "Reads the files that it names as well, opens no camera and no port. Prints the setup (register 146).\n\n"
+      "Example: tripointd check-config unit.toml --set output.frame=left_camera");
+
+  CLI::App* cameras = app.add_subcommand("cameras", "Lists the cameras of this machine by USB port and serial number.");
+  cameras->add_flag("--json", arguments.json, "one JSON list instead of a table");
+  cameras->footer(
+      "The configuration binds left and right by port or serial. Exit code 3: there is none.\n\n"
+      "Example: tripointd cameras --json");
+}
+
+void describe_pictures(CLI::App& app, Arguments& arguments) {
+  CLI::App* detect =
+      app.add_subcommand("detect", "Prints the red LEDs that the detector finds in pictures, one JSON line each.");
+  detect->add_option("images", arguments.images, "JPEG or PNG files")->type_name("IMAGE")->required();
+  detect->add_option("--detector", arguments.detector, "what to look for")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"led"}))
+      ->capture_default_str();
+  detect->add_option("--config", arguments.config, "configuration file, for its [detector]; default: all defaults")
+      ->type_name("FILE");
+  detect->add_flag("--json", arguments.json, "JSON lines: the only format, also without this");
+  detect->footer(
+      "u_px, v_px: pixel centres are integers; covariance in px^2; peak is luma, 0 to 255.\n\n"
+      "Example: tripointd detect left.png right.png --json");
+}
+
+void describe_replay(CLI::App& app, Arguments& arguments) {
+  ReplayOptions& replay = arguments.replay;
+  CLI::App* replaying = app.add_subcommand("replay", "Measures a recording, one JSON line for each verdict.");
+  replaying->add_option("folder", replay.folder, "recording folder")->type_name("FOLDER")->required();
+  replaying->add_option("--calibration", replay.calibration, "calibration file")->type_name("FILE")->required();
+  replaying->add_option("--target", replay.target, "target file; default: one LED")->type_name("FILE");
+  replaying
+      ->add_option("--config", replay.config,
+                   "configuration file: limits, volume, timing; default: no volume, 10 ms between the cameras' clocks")
+      ->type_name("FILE");
+  replaying->add_option("--frame", replay.frame, "frame of the output")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"reference", "left_camera"}))
+      ->capture_default_str();
+  replaying->add_flag("--json", arguments.json, "JSON lines: the only format, also without this");
+  replaying->footer(
+      "Positions in mm, covariances in mm^2, times in ns; null is unknown.\n\n"
+      "Example: tripointd replay recording --calibration calibration.toml --config unit.toml --json");
+}
+
 void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
-  CLI::App* run = app.add_subcommand("run", "measure and serve until SIGINT or SIGTERM");
-  run->add_option("--config", arguments.config, "configuration file")->required();
-  run->add_option("--set", arguments.overrides, "table.key=value, overrides the file; may be repeated");
-
-  CLI::App* check = app.add_subcommand("check-config", "say whether `run` would start with a file");
-  check->add_option("file", arguments.config, "configuration file")->required();
-  check->add_option("--set", arguments.overrides, "table.key=value, overrides the file; may be repeated");
-
-  app.add_subcommand("cameras", "list the cameras of this machine by USB port and serial")
-      ->add_flag("--json", arguments.json, "one JSON list");
-
-  CLI::App* detect = app.add_subcommand("detect", "print what the detector finds in pictures, one JSON line each");
-  detect->add_option("images", arguments.images, "JPEG or PNG files")->required();
-  detect->add_option("--detector", arguments.detector, "what to look for")->check(CLI::IsMember({"led"}));
-  detect->add_option("--config", arguments.config, "configuration file: its [detector]");
-  detect->add_flag("--json", arguments.json, "JSON lines (the only format)");
-
-  ReplayOptions& replay = arguments.replay;
-  CLI::App* replaying = app.add_subcommand("replay", "measure a recording, one JSON line for each verdict");
-  replaying->add_option("folder", replay.folder, "recording folder")->required();
-  replaying->add_option("--calibration", replay.calibration, "calibration file")->required();
-  replaying->add_option("--target", replay.target, "target file; default: one LED");
-  replaying->add_option("--config", replay.config, "configuration file: limits, volume, timing");
-  replaying->add_option("--frame", replay.frame, "frame of the output")
-      ->check(CLI::IsMember({"reference", "left_camera"}));
-  replaying->add_flag("--json", arguments.json, "JSON lines (the only format)");
-
-  app.add_subcommand("version", "print the version");
+  app.footer(kExitCodes);
+  describe_running(app, arguments);
+  describe_pictures(app, arguments);
+  describe_replay(app, arguments);
+  app.add_subcommand("version", "Prints the version.")->footer("Example: tripointd version");
 }
 
 int dispatch(const CLI::App& app, const Arguments& arguments) {
@@ -99,8 +147,9 @@ int main(int argc, char** argv) {
     return tripoint::number(tripoint::ExitCode::kUsage);
   }
   try {
-    return tripoint::run_program(argc, argv);
+    return tripoint::code_with_output_written(tripoint::run_program(argc, argv));
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return tripoint::code_with_output_written(0);
     std::fprintf(stderr, "tripointd: our fault: %s\n", error.what());
     return tripoint::number(tripoint::ExitCode::kOurFault);
   }

@@ -59,7 +59,7 @@ int check_config_command(const std::filesystem::path& config_file, const std::ve
   const SystemClock clock;
   const Result<PerSide<OpenCamera>> cameras = camera_supply(*config, clock);
   if (!cameras) return report(cameras.error());
-  fmt::print("{}: valid; setup {}, {}\n", config_file.string(), setup->constants.identity.setup,
+  fmt::print("{}: valid; setup {}, {}\n", config_file.string(), setup_text(setup->constants.identity.setup),
              setup->calibration ? "calibrated" : "no calibration: nothing will be measured");
   return number(ExitCode::kWell);
 }

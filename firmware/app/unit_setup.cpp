@@ -133,6 +133,8 @@ Result<UnitSetup> unit_setup(const Config& config) {
   return setup;
 }
 
+std::string setup_text(std::uint16_t setup) { return fmt::format("{} (0x{:04X})", setup, setup); }
+
 CalibrationFits fits_calibration(const std::optional<Calibration>& calibration, CameraSource source) {
   return [calibration, source, fits = PerSide<bool>{true, true}](const PerSide<CameraStatus>& cameras) mutable {
     if (!calibration) return true;

@@ -1,9 +1,11 @@
 // From configuration, calibration and target to what the line and the registers need to know.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/measuring.h"
 #include "app/unit_report.h"
@@ -30,6 +32,9 @@ Result<UnitSetup> unit_setup(const Config& config);
 ///
 /// @return kMismatch when the target is not made of LEDs
 Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config);
+
+/// As people compare it with a PLC's: decimal, and in hex.
+std::string setup_text(std::uint16_t setup);
 
 /// Whether the cameras are those of the calibration: picture size and serial; without a serial, or when both cameras
 /// have the same, the port as well. Pictures of a recording are judged by their size alone. A camera that does not

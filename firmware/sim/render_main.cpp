@@ -65,22 +65,30 @@ void complain(const std::string& message) {
 
 int run(int argc, char** argv) {
   Options options;
-  CLI::App app("Renders one period of a simulated motion, seen by two cameras, as a recording folder with its truth");
+  CLI::App app("Renders one period of a simulated motion, seen by two cameras, as a recording folder with its truth.",
+               "tripoint-render");
+  app.option_defaults()->always_capture_default();
+  app.footer(
+      "The rate is frames over the period (12 s for the paper's paths): take at least 15 a second.\n"
+      "Exit codes: 0 well; 2 usage, or a folder that cannot be written; 70 our fault.\n\n"
+      "Example: tripoint-render --frames 360 --out recording --scenario paper-circular --format jpg");
   app.add_option("--frames", options.frames, "frames of each camera; they share the period out evenly")
       ->required()
-      ->check(CLI::Range(1, 100'000));
+      ->check(CLI::Range(1, 100'000))
+      ->default_str("");
   app.add_option("--out", options.out, "folder to write; must be empty or absent")->required();
   app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
-  app.add_option("--scenario", options.scenario, "paper-linear, paper-circular, scout or static-volume");
-  app.add_option("--trajectory", options.trajectory, "CSV file, instead of a scenario");
-  app.add_option("--width", options.width_px, "of a picture, px");
-  app.add_option("--height", options.height_px, "of a picture, px");
+  app.add_option("--scenario", options.scenario,
+                 "paper-linear, paper-circular, scout (periods 12, 12, 6 s) or static-volume (81 s)");
+  app.add_option("--trajectory", options.trajectory, "CSV file as host-tool simulate writes it, instead of a scenario");
+  app.add_option("--width", options.width_px, "of a picture, px: 320, 640 or 1280");
+  app.add_option("--height", options.height_px, "of a picture, px: 240, 480 or 720");
   app.add_option("--leds", options.leds, "1, or 3 for a triangle of 100, 80, 60 mm")->check(CLI::IsMember({1, 3}));
-  app.add_option("--led-peak", options.led_peak, "brightness of an LED in units of clip")
+  app.add_option("--led-peak", options.led_peak, "brightness of an LED in units of clip; 1 to 3 is recommended")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--exposure-us", options.exposure_us)->check(CLI::Range(0, 1'000'000));
-  app.add_option("--quality", options.quality, "of a JPEG, 1 to 100");
-  app.add_option("--seed", options.seed, "of the noise");
+  app.add_option("--exposure-us", options.exposure_us, "exposure time, us")->check(CLI::Range(0, 1'000'000));
+  app.add_option("--quality", options.quality, "of a JPEG, 1 to 100; with --format jpg");
+  app.add_option("--seed", options.seed, "of the noise: the same seed gives the same pictures");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

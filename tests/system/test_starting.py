@@ -1,6 +1,8 @@
 """Starting, refusing to start, and stopping."""
 
+import re
 import signal
+import subprocess
 import time
 from pathlib import Path
 
@@ -88,3 +90,24 @@ def test_the_version_is_told() -> None:
     told = finished("version")
     assert told.returncode == 0
     assert told.stdout.startswith("tripointd ")
+
+
+@pytest.mark.parametrize("arguments", [("version",), ("--help",), ("check-config", str(CONFIG))])
+def test_a_full_output_is_said_and_is_no_success(arguments: tuple[str, ...]) -> None:
+    with open("/dev/full", "w") as full:  # noqa: PTH123
+        ended = subprocess.run([binary(), *arguments], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert ended.returncode == 2
+    assert ended.stderr.startswith("tripointd: the output cannot be written")
+
+
+@pytest.mark.parametrize("command", [(), ("run",), ("check-config",), ("cameras",), ("detect",), ("replay",)])
+def test_every_help_has_an_example(command: tuple[str, ...]) -> None:
+    told = finished(*command, "--help")
+    assert told.returncode == 0
+    assert "Example: tripointd " in told.stdout
+
+
+def test_the_setup_is_told_as_a_plc_sees_it_and_in_hex() -> None:
+    setup = re.search(r"setup (\d+) \(0x([0-9A-F]{4})\)", finished("check-config", str(CONFIG)).stdout)
+    assert setup is not None
+    assert int(setup[1]) == int(setup[2], 16)
