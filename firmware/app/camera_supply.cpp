@@ -79,8 +79,7 @@ Result<PerSide<OpenCamera>> simulated_cameras(const Config& config, const Clock&
 }
 
 Result<PerSide<OpenCamera>> recorded_cameras(const Config& config, const Clock& clock) {
-  const Playback playback{
-      .clock = clock, .wait_until = sleeping_by(clock), .start = clock.now(), .paced = config.recording.paced};
+  const Playback playback{.clock = clock, .wait_until = sleeping_by(clock), .start = clock.now()};
   PerSide<OpenCamera> cameras;
   for (const Side side : kBothSides) {
     Result<OpenCamera> opener = RecordedCamera::opener(config.recording.folder, side, playback);

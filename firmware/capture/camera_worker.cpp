@@ -111,8 +111,9 @@ std::optional<Error> CameraWorker::take(const Error& error) {
   ++status_.corrupt;
   note(error);
   if (++connection_.corrupt_in_a_row < limits_.corrupt_in_a_row) return std::nullopt;
-  return Error{ErrorCode::kCorruptFrame, fmt::format("{} damaged frames in a row, the last: {}; check cable and bus",
-                                                     connection_.corrupt_in_a_row, error.message)};
+  return Error{ErrorCode::kCorruptFrame,
+               fmt::format("{} damaged frames in a row, the last: {}{}", connection_.corrupt_in_a_row, error.message,
+                           status_.info.port.empty() ? "" : "; check cable and bus")};
 }
 
 bool CameraWorker::may_still_start(const Error& error) const {

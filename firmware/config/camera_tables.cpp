@@ -118,7 +118,6 @@ SimulationConfig simulation_from(TableReader table, const std::filesystem::path&
 RecordingConfig recording_from(TableReader table, const std::filesystem::path& folder, CameraSource source) {
   RecordingConfig r;
   r.folder = path_from(folder, table.text("folder", ""));
-  r.paced = table.truth("paced", r.paced);
   if (source == CameraSource::kRecording && r.folder.empty()) {
     table.refuse("folder", "is missing; required with cameras.source \"recording\"");
   }

@@ -46,7 +46,6 @@ struct CamerasConfig {
 
 struct RecordingConfig {
   std::filesystem::path folder;
-  bool paced = true;  ///< false: as fast as possible
 };
 
 /// The names and units of LedDetectorSettings.

@@ -1,5 +1,7 @@
-// The clock as a value passed in, so that a test never reads the wall clock.
+// Clock and waiting as values passed in, so that a test never reads the wall clock and never sleeps.
 #pragma once
+
+#include <functional>
 
 #include "values/time.h"
 
@@ -18,5 +20,8 @@ class Clock {
   /// True when the operating system says that its wall clock is synchronised.
   [[nodiscard]] virtual bool synchronised() const = 0;
 };
+
+/// Waits until the clock shows this time.
+using WaitUntil = std::function<void(TimePoint)>;
 
 }  // namespace tripoint

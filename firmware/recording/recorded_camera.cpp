@@ -48,16 +48,18 @@ RecordedCamera::RecordedCamera(RecordingReader reader, Side side, Playback playb
 
 Result<Frame> RecordedCamera::next_frame(Duration limit) {
   std::size_t& row = position_->row;
-  if (row >= rows_.size()) return failure(ErrorCode::kEndOfStream, "the recording is over");
-  if (playback_.paced) {
-    const TimePoint deadline = playback_.clock.now() + limit;
-    if (due(row) > deadline) {
-      playback_.wait_until(deadline);
-      return failure(ErrorCode::kTimeout, fmt::format("no frame for {:.0f} ms in the recording", 1e3 * seconds(limit)));
-    }
-    playback_.wait_until(due(row));
-    while (row + 1 < rows_.size() && due(row + 1) <= playback_.clock.now()) ++row;
+  if (row >= rows_.size()) {
+    return failure(ErrorCode::kEndOfStream, fmt::format("{}: has ended after {} frames; start again to play it again",
+                                                        info_.name, rows_.size()));
   }
+  const TimePoint deadline = playback_.clock.now() + limit;
+  if (due(row) > deadline) {
+    playback_.wait_until(deadline);
+    return failure(ErrorCode::kTimeout,
+                   fmt::format("{}: has no frame for {:.0f} ms", info_.name, 1e3 * seconds(limit)));
+  }
+  playback_.wait_until(due(row));
+  while (row + 1 < rows_.size() && due(row + 1) <= playback_.clock.now()) ++row;
   Result<Frame> frame = reader_.frame(rows_[row++]);
   if (!frame) return failure(ErrorCode::kCorruptFrame, frame.error().message);
   frame->exposed += shift_;

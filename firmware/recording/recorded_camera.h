@@ -12,15 +12,11 @@
 
 namespace tripoint {
 
-/// Waits until the clock shows this time.
-using WaitUntil = std::function<void(TimePoint)>;
-
 /// How a recording is played. Clock and waiting outlive the cameras.
 struct Playback {
   const Clock& clock;
   WaitUntil wait_until;
   TimePoint start{};  ///< the clock's time at which the recording's first frame arrives; the same for both sides
-  bool paced = true;  ///< false: each frame as soon as it is asked for
 };
 
 class RecordedCamera final : public Camera {
@@ -32,9 +28,9 @@ class RecordedCamera final : public Camera {
   /// @return errors of RecordingReader::open
   static Result<Opener> opener(const std::filesystem::path& folder, Side side, const Playback& playback);
 
-  /// As Camera says. All times are moved so that the recording starts at playback.start. Paced, frames that
-  /// nobody fetched in time are left out, and a gap in the recording is a kTimeout; a picture that cannot be read is a
-  /// kCorruptFrame, and kEndOfStream comes after the last one.
+  /// As Camera says, at the recording's own pace. All times are moved so that the recording starts at playback.start.
+  /// Frames that nobody fetched in time are left out; a gap in the recording is a kTimeout, a picture that cannot be
+  /// read a kCorruptFrame, and kEndOfStream comes after the last one.
   Result<Frame> next_frame(Duration limit) override;
   [[nodiscard]] const CameraInfo& info() const override { return info_; }
 

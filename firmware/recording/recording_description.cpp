@@ -23,7 +23,6 @@ Result<RecordingDescription> recording_description_from(std::string_view toml, s
   if (!tree) return tl::make_unexpected(tree.error());
   Findings findings{std::string(file_name)};
   TableReader table(findings, *tree);
-  table.allow_other_keys();
   table.choice<int>("format", {{"tripoint-recording/1", 1}});
   RecordingDescription description;
   description.format = format_of(table);

@@ -32,9 +32,7 @@ struct RecordingDescription {
   Duration utc_offset{0};  ///< added to the recording's times it gives nanoseconds since 1970 UTC
 };
 
-/// Keys that are not known are left to newer writers.
-///
-/// @return kMalformed, kMissingKey or kOutOfRange with file, line and permitted values
+/// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange with file, line and permitted values
 Result<RecordingDescription> recording_description_from(std::string_view toml, std::string_view file_name);
 
 }  // namespace tripoint

@@ -26,7 +26,7 @@ class RecordingReader {
  public:
   /// Reads recording.toml and frames.csv whole; pictures only when their turn comes.
   ///
-  /// @return kCannotRead, or kMalformed, kMissingKey, kOutOfRange with file and line
+  /// @return kCannotRead, or kMalformed, kUnknownKey, kMissingKey, kOutOfRange with file and line
   static Result<RecordingReader> open(const std::filesystem::path& folder);
 
   /// What the next row holds; nothing when all were read. jpg comes as kMjpeg, yuyv as kYuyv, png as kYuyv or,

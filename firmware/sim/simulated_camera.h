@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -13,9 +12,6 @@
 #include "sim/world.h"
 
 namespace tripoint {
-
-/// Waits until the clock shows this time.
-using WaitUntil = std::function<void(TimePoint)>;
 
 /// Sleeps in real time by this clock, which must outlive what is returned.
 WaitUntil sleeping_by(const Clock& clock);

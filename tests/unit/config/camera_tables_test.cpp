@@ -82,9 +82,8 @@ TEST(SimulationConfigTest, AnUnknownScenarioListsTheShippedOnes) {
 
 TEST(RecordingConfigTest, ARecordingAsSourceNeedsItsFolder) {
   EXPECT_THAT(message_with({"cameras.source=recording"}), HasSubstr("recording.folder: is missing"));
-  const Config c = config_with({"cameras.source=recording", "recording.folder=r", "recording.paced=false"}).value();
+  const Config c = config_with({"cameras.source=recording", "recording.folder=r"}).value();
   EXPECT_EQ(c.recording.folder, "/etc/tripoint/r");
-  EXPECT_FALSE(c.recording.paced);
 }
 
 }  // namespace

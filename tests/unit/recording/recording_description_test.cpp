@@ -40,7 +40,10 @@ TEST(RecordingDescriptionTest, LineTimeAndOffsetAreZeroWhenAbsent) {
   EXPECT_EQ(description->utc_offset, Duration{0});
 }
 
-TEST(RecordingDescriptionTest, KeysOfNewerWritersAreLeftAlone) { EXPECT_EQ(refusal(kGood + "note = \"x\"\n"), ""); }
+TEST(RecordingDescriptionTest, AnUnknownKeyIsRefusedWithItsLine) {
+  EXPECT_THAT(refusal(kGood + "line_time_ms = 1\n"),
+              testing::AllOf(HasSubstr("recording.toml:5"), HasSubstr("line_time_ms")));
+}
 
 TEST(RecordingDescriptionTest, AnotherFormatIsRefused) {
   EXPECT_THAT(refusal(replaced("recording/1", "recording/2")), HasSubstr("recording.toml:1"));
