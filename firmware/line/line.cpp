@@ -24,7 +24,7 @@ Line::Line(std::shared_ptr<const LineModel> model) { swap_model(std::move(model)
 std::optional<Measurement> Line::step(const Event& event) {
   tracks_.take(event);
   clocks_.take(event);
-  const Aligned seen = align(tracks_, clocks_);
+  const Aligned seen = patience_.judged(align(tracks_, clocks_), tracks_);
   if (!seen.due) return std::nullopt;
   const Pairs pairs = match(seen, *model_);
   const Fit fit = pose_of_target(seen, pairs, *model_);
@@ -36,6 +36,7 @@ std::optional<Measurement> Line::step(const Event& event) {
 void Line::swap_model(std::shared_ptr<const LineModel> model) {
   model_ = model ? std::move(model) : uncalibrated();
   tracks_.start_over(model_->limits.camera_silence);
+  patience_.limit_to(model_->limits.camera_silence);
   clocks_.trust_offset_to(model_->limits.offset_prior_s);
   monitor_.forget_motion();
 }

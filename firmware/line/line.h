@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "line/align/clocks.h"
+#include "line/align/patience.h"
 #include "line/align/tracks.h"
 #include "line/measurement.h"
 #include "line/model.h"
@@ -32,6 +33,7 @@ class Line {
   std::shared_ptr<const LineModel> model_;  // shared with whoever made it; never null
   Tracks tracks_;
   Clocks clocks_;
+  Patience patience_;
   Monitor monitor_;
 };
 

@@ -97,11 +97,11 @@ struct TargetPose {
 
 /// What time did to this measurement.
 struct Timing {
-  double skew_s = 0.0;               ///< right minus left: how far apart the two newest pictures were exposed
-  double skew_sigma_s = 0.0;         ///< standard deviation of the offset between the stamps
-  double uncorrected_cost_mm = 0.0;  ///< what the skew would cost if the pictures were taken as simultaneous
-  double speed_mm_per_s = 0.0;       ///< 0 until two measurements exist
-  bool settled = false;              ///< speed under the limit, for pick points
+  double skew_s = 0.0;                        ///< right minus left: how far apart the two newest pictures were exposed
+  double skew_sigma_s = 0.0;                  ///< standard deviation of the offset between the stamps
+  std::optional<double> uncorrected_cost_mm;  ///< of the skew, taken as none; absent without a target that moves
+  double speed_mm_per_s = 0.0;                ///< 0 until two measurements exist
+  bool settled = false;                       ///< speed under the limit, for pick points
 };
 
 struct Measurement {

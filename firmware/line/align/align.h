@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "line/align/clocks.h"
 #include "line/align/tracks.h"
@@ -18,7 +19,7 @@ namespace tripoint {
 /// An image point at the common time.
 struct AlignedPoint {
   ImagePoint seen;                        ///< covariance of the place alone, interpolation included
-  Vec2 velocity_px_per_s = Vec2::Zero();  ///< zero where unknown; timing_px2 then allows for any usual speed
+  std::optional<Vec2> velocity_px_per_s;  ///< absent = unknown; timing_px2 then allows for any usual speed
   Matrix2 timing_px2 = Matrix2::Zero();   ///< what time adds: the clocks' unknown offset, in one camera only, and bends
 };
 

@@ -72,14 +72,12 @@ Matrix2 bend_px2(const Track& track, const StampClock& clock, const Sample& earl
 }
 
 AlignedPoint exact(const Track& track, const StampClock& clock, const Sample& sample, double offset_sigma_s) {
-  AlignedPoint point{track.picture(sample.back).points[sample.index], Vec2::Zero(), Matrix2::Zero()};
-  std::optional<Vec2> velocity;
+  AlignedPoint point{track.picture(sample.back).points[sample.index], std::nullopt, Matrix2::Zero()};
   const std::optional<Sample> before = sample_before(track, clock, sample);
   if (before && before->at < sample.at && sample.at - before->at <= kLongestGap) {
-    velocity = (sample.place_px - before->place_px) / seconds(sample.at - before->at);
-    point.velocity_px_per_s = *velocity;
+    point.velocity_px_per_s = (sample.place_px - before->place_px) / seconds(sample.at - before->at);
   }
-  point.timing_px2 = timing_of(velocity, offset_sigma_s);
+  point.timing_px2 = timing_of(point.velocity_px_per_s, offset_sigma_s);
   return point;
 }
 
@@ -87,7 +85,7 @@ AlignedPoint between(const Track& track, const StampClock& clock, const Sample& 
                      const Moment& moment) {
   const double share = seconds(moment.time - early.at) / seconds(late.at - early.at);
   const ImagePoint& before = track.picture(early.back).points[early.index];
-  AlignedPoint point{track.picture(late.back).points[late.index], Vec2::Zero(), Matrix2::Zero()};
+  AlignedPoint point{track.picture(late.back).points[late.index], std::nullopt, Matrix2::Zero()};
   const Vec2 place = (1.0 - share) * early.place_px + share * late.place_px;
   point.seen.at = {place.x(), place.y()};
   point.seen.covariance_px2 =

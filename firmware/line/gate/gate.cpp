@@ -43,8 +43,8 @@ bool is_whole(const ImageHealth& health) { return std::isfinite(health.mean_luma
 bool is_whole(const Aligned& seen, const Fit& fit) {
   const auto whole = [](const MeasuredPoint& point) { return is_whole(point); };
   return std::all_of(fit.points.begin(), fit.points.end(), whole) && (!fit.pose || is_whole(*fit.pose)) &&
-         std::isfinite(fit.residual_rms_px) && std::isfinite(fit.uncorrected_cost_mm) && std::isfinite(seen.skew_s) &&
-         std::isfinite(seen.offset_sigma_s);
+         std::isfinite(fit.residual_rms_px) && std::isfinite(fit.uncorrected_cost_mm.value_or(0.0)) &&
+         std::isfinite(seen.skew_s) && std::isfinite(seen.offset_sigma_s);
 }
 
 /// From the points that were measured: marks of the detector, and residuals above the chi-square limit.

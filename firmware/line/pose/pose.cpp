@@ -14,7 +14,7 @@ struct Located {
   TriangulatedPoint point;
   Matrix3 shared_mm2 = Matrix3::Zero();
   Matrix3 timing_mm2 = Matrix3::Zero();
-  double uncorrected_cost_mm = 0.0;
+  std::optional<double> uncorrected_cost_mm;  // absent while the speed is unknown
 };
 
 PerSide<MeasuredPixel> pixels_of(const Pair& pair) {
@@ -39,12 +39,14 @@ Result<Located> located(const Pair& pair, const Aligned& seen, const LineModel& 
       model.method == Method::kPaper ? triangulated_by_paper(model.rig, pixels, model.limits.min_angle_rad) : likeliest;
   if (!point) return tl::make_unexpected(point.error());
 
-  Located at{*point, shared_covariance_mm2(model, pixels), Matrix3::Zero(), 0.0};
+  Located at{*point, shared_covariance_mm2(model, pixels), Matrix3::Zero(), std::nullopt};
   for (const Side side : kBothSides) {
     const AlignedPoint& image = pair.points[side];
     const Matrix32 gain = pixel_gain_mm_per_px(model.rig, *likeliest, pixels, side);
     at.timing_mm2 += gain * image.timing_px2 * gain.transpose();
-    if (side == Side::kRight) at.uncorrected_cost_mm = (gain * image.velocity_px_per_s * seen.skew_s).norm();
+    if (side == Side::kRight && image.velocity_px_per_s) {
+      at.uncorrected_cost_mm = (gain * *image.velocity_px_per_s * seen.skew_s).norm();
+    }
   }
   return at;
 }

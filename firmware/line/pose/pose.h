@@ -16,8 +16,8 @@ struct Fit {
   std::optional<TargetPose> pose;
   Faults faults;
   double residual_rms_px = 0.0;
-  double timing_sigma_mm = 0.0;      ///< the clocks' part of the pose's standard deviation, all directions together
-  double uncorrected_cost_mm = 0.0;  ///< how far the skew would have moved the pose, taken as none
+  double timing_sigma_mm = 0.0;  ///< the clocks' part of the pose's standard deviation, all directions together
+  std::optional<double> uncorrected_cost_mm;  ///< how far the skew would have moved the pose, taken as none
 };
 
 /// Every pair becomes a point in the output frame; the identified point of a one-point target is its position.

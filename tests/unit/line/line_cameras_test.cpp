@@ -1,4 +1,5 @@
 // Cameras that come, go, hang and fall silent, and models that change.
+#include <chrono>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -147,6 +148,33 @@ TEST_F(LineCamerasTest, TicksAloneGiveNoVerdict) {
   feed(0.0, 2.0);
   // the last pictures arrived at 1.977 s
   for (int ms = 0; ms < 75; ++ms) EXPECT_FALSE(line_.step(Tick{at(2.0 + ms * 1e-3)}));
+}
+
+TEST_F(LineCamerasTest, StampsThatNoQueueCanJoinAreATimingFaultInTime) {
+  feed(0.0, 2.0);
+  for (Event& event : events_) {
+    auto& seen = std::get<Observation>(event);
+    if (seen.side == Side::kLeft && seen.arrived >= at(2.0)) seen.exposed -= std::chrono::milliseconds(400);
+  }
+  const auto found = feed(2.0, 3.0);
+  ASSERT_FALSE(found.empty());
+  // the step is believed after four pictures
+  for (const Measurement& measurement : found) EXPECT_TRUE(!measurement.pose || measurement.exposed < at(2.2));
+  EXPECT_GE(found.back().exposed, at(2.7)) << "again and again: at least every 200 ms and a picture";
+  EXPECT_EQ(found.back().faults, Faults{Fault::kTimingBound});
+  EXPECT_FALSE(found.back().common_time) << "the heart stands still";
+}
+
+TEST_F(LineCamerasTest, StampsThatStandStillAreATimingFaultInTime) {
+  Line line(shared_model(webcam_model()));
+  std::vector<Measurement> found;
+  for (Event event : events_) {
+    auto& seen = std::get<Observation>(event);
+    if (seen.side == Side::kLeft) seen.exposed = at(1.0);
+    if (const auto measurement = line.step(event); measurement && seen.arrived > at(2.0)) found.push_back(*measurement);
+  }
+  ASSERT_GE(found.size(), 12U) << "3 s, at least every 200 ms and a picture";
+  for (const Measurement& measurement : found) EXPECT_EQ(measurement.faults, Faults{Fault::kTimingBound});
 }
 
 TEST_F(LineCamerasTest, SequenceNumbersCountEveryMeasurement) {

@@ -35,8 +35,8 @@ inline std::string bytes_of(const Measurement& m) {
   Bytes bytes;
   bytes << m.sequence << ns_from_time(m.exposed) << ns_from_time(m.exposure_began) << m.common_time << m.faults.bits()
         << m.warnings.bits();
-  bytes << m.timing.skew_s << m.timing.skew_sigma_s << m.timing.uncorrected_cost_mm << m.timing.speed_mm_per_s
-        << m.timing.settled << m.points.size();
+  bytes << m.timing.skew_s << m.timing.skew_sigma_s << m.timing.uncorrected_cost_mm.value_or(-1.0)
+        << m.timing.speed_mm_per_s << m.timing.settled << m.points.size();
   for (const MeasuredPoint& point : m.points) {
     bytes << point.id << point.in_output_mm << point.covariance_mm2 << point.residual_px << point.at.left.u_px
           << point.at.left.v_px << point.at.right.u_px << point.at.right.v_px << point.saturated << point.weak;

@@ -128,8 +128,13 @@ TEST(PoseTest, TimeCostsDepthTimesSpeedOverBaseline) {
   const Fit fit = fit_of(model, pair, 0.005);
   const double expected_mm = std::hypot(4.0 * 0.5, 0.5 / 2.0);  // depth, and half the shift sideways
   EXPECT_NEAR(fit.timing_sigma_mm, expected_mm, 1e-6);
-  EXPECT_NEAR(fit.uncorrected_cost_mm, expected_mm, 1e-6);
+  EXPECT_NEAR(fit.uncorrected_cost_mm.value(), expected_mm, 1e-6);
   EXPECT_GT(fit.pose->noise(2, 2), 4.0) << "it is part of the stated covariance";
+}
+
+TEST(PoseTest, WhatTheSkewCostsIsUnknownWithoutASpeed) {
+  const LineModel model = webcam_model();
+  EXPECT_FALSE(fit_of(model, pair_at(model, {0.0, 0.0, 400.0}, 1), 0.005).uncorrected_cost_mm);
 }
 
 }  // namespace
