@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -23,8 +24,9 @@
 namespace tripoint {
 namespace {
 
-constexpr std::size_t kQueuedEvents = 16;  // a quarter of a second of both cameras
-constexpr int kModbusPriority = 50;        // below the kernel's own interrupt threads
+constexpr std::size_t kQueuedEvents = 16;                   // a quarter of a second of both cameras
+constexpr int kModbusPriority = 50;                         // below the kernel's own interrupt threads
+constexpr auto kFarewell = std::chrono::milliseconds(250);  // two polls of the slowest client that registers.md names
 
 DetectPoints led_detection(const DetectorConfig& config) {
   const auto detector =
@@ -109,11 +111,14 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
                       fits_calibration(setup->calibration, config.cameras.source), std::move(report));
 
   const std::jthread modbus([&server](const std::stop_token& token) { serve_modbus(*server, token); });
-  const std::jthread measuring_thread([&measuring](const std::stop_token& token) { measuring.run(token); });
-  const std::jthread left_thread([&left](const std::stop_token& token) { left.run(token); });
-  const std::jthread right_thread([&right](const std::stop_token& token) { right.run(token); });
+  std::jthread measuring_thread([&measuring](const std::stop_token& token) { measuring.run(token); });
+  std::jthread left_thread([&left](const std::stop_token& token) { left.run(token); });
+  std::jthread right_thread([&right](const std::stop_token& token) { right.run(token); });
   until_stop();
   spdlog::info("stopping");
+  for (std::jthread* const thread : {&measuring_thread, &left_thread, &right_thread}) thread->request_stop();
+  measuring_thread.join();
+  std::this_thread::sleep_for(kFarewell);  // so that clients read that the unit has stopped before they lose it
   return {};
 }
 

@@ -30,6 +30,8 @@ void Measuring::run(const std::stop_token& stop) {
     const std::optional<Event> event = links_.events.pop(kTick);
     step(event ? *event : Event{Tick{links_.clock.now()}});
   }
+  report_.stop();
+  publish({links_.cameras.left.get(), links_.cameras.right.get()}, links_.clock.now());
 }
 
 void Measuring::step(const Event& event) {
@@ -40,10 +42,14 @@ void Measuring::step(const Event& event) {
   if (!measurement && !swapped && now - published_ < kRefresh) return;
 
   if (measurement) report_.take(*measurement, arrival(event), links_.clock);
-  links_.publication.publish(report_.state(cameras, links_.clock), now);
-  published_ = now;
+  publish(cameras, now);
   if (measurement) links_.forecast.put(line_.forecast());
   log_.take(cameras);
+}
+
+void Measuring::publish(const PerSide<CameraStatus>& cameras, TimePoint now) {
+  links_.publication.publish(report_.state(cameras, links_.clock), now);
+  published_ = now;
 }
 
 bool Measuring::check_cameras(const PerSide<CameraStatus>& cameras) {

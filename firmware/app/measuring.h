@@ -36,11 +36,12 @@ class Measuring {
   Measuring(MeasuringLinks links, std::shared_ptr<const LineModel> model, CalibrationFits calibration_fits,
             UnitReport report);
 
-  /// Runs until stop is requested, noticed within 20 ms.
+  /// Runs until stop is requested, noticed within 20 ms; the last thing it publishes is that the unit has stopped.
   void run(const std::stop_token& stop);
 
  private:
   void step(const Event& event);
+  void publish(const PerSide<CameraStatus>& cameras, TimePoint now);
   /// Swaps the model when the judgement of the calibration has changed.
   bool check_cameras(const PerSide<CameraStatus>& cameras);
 

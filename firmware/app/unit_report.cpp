@@ -41,7 +41,7 @@ UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& c
   state.identity = constants_.identity;
   state.limits = constants_.limits;
   state.flags.calibrated = constants_.calibrated;
-  state.flags.ready = constants_.calibrated && cameras.left.delivering && cameras.right.delivering;
+  state.flags.ready = !stopped_ && constants_.calibrated && cameras.left.delivering && cameras.right.delivering;
   state.flags.verified = constants_.verified;
   state.flags.simulated = constants_.simulated;
   state.flags.clock_synchronised = clock.synchronised();
@@ -63,6 +63,7 @@ UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& c
 }
 
 registers::State UnitReport::activity(const PerSide<CameraStatus>& cameras) const {
+  if (stopped_) return registers::State::kStopped;
   if (!constants_.calibrated) return registers::State::kNoCalibration;
   for (const Side side : kBothSides) {
     if (camera_state(cameras[side]) == registers::CameraState::kMissing) return registers::State::kCameraFault;

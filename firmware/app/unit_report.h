@@ -37,6 +37,9 @@ class UnitReport {
   /// The newest measurement has lost its pose for this reason; the next verdict replaces it.
   void withdraw_pose(Fault cause);
 
+  /// Measuring has ended: from now on the state says stopped, and no pose is valid.
+  void stop() { stopped_ = true; }
+
   /// The state as it is to be published now.
   [[nodiscard]] UnitState state(const PerSide<CameraStatus>& cameras, const Clock& clock) const;
 
@@ -48,6 +51,7 @@ class UnitReport {
   TimePoint started_;
   std::uint16_t heartbeat_ = 0;
   bool pose_since_start_ = false;
+  bool stopped_ = false;
   std::optional<PublishedMeasurement> newest_;
   LatencyWindow latency_;
 };

@@ -91,7 +91,8 @@ Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now) 
   Reading reading = told_by(*state.newest);
   if (state.pose_since_start) reading.age_ms = age_of(measurement, now);
   const Duration age = now - measurement.exposed;
-  const bool fresh = reading.age_ms && age <= state.limits.age_limit && age >= -kMostAhead;
+  const bool stopped = state.state == registers::State::kStopped;
+  const bool fresh = !stopped && reading.age_ms && age <= state.limits.age_limit && age >= -kMostAhead;
   reading.faults = faults.bits();
   reading.warnings = warnings.bits();
   reading.setup = state.identity.setup;

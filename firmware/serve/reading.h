@@ -29,7 +29,8 @@ struct Reading {
   [[nodiscard]] bool has(registers::StatusBit bit) const { return (status >> static_cast<unsigned>(bit) & 1U) != 0; }
 };
 
-/// The newest measurement: stale and not valid past the age limit, whatever it says itself.
+/// The newest measurement: stale and not valid past the age limit or once the unit has stopped, whatever it says
+/// itself.
 Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now);
 
 /// The latched copy: not valid past the hold limit, after a change of setup, and while nothing is latched.

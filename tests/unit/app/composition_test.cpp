@@ -54,16 +54,24 @@ class Socket {
   int fd_;
 };
 
-/// Registers 32 and 33, heartbeat and status, by FC 4.
-std::optional<std::array<std::uint16_t, 2>> heartbeat_and_status(std::uint16_t port) {
+struct Read {
+  std::uint16_t heartbeat = 0;
+  std::uint16_t status = 0;
+  std::uint16_t state = 0;
+
+  [[nodiscard]] bool valid() const { return (status & 0x0004U) != 0; }
+};
+
+/// Registers 32 to 36 by FC 4.
+std::optional<Read> state_block(std::uint16_t port) {
   const Socket socket;
   if (!socket.connect(port)) return std::nullopt;
-  const std::array<std::uint8_t, 12> request{0, 1, 0, 0, 0, 6, 1, 4, 0, 32, 0, 2};
-  std::array<std::uint8_t, 13> answer{};
+  const std::array<std::uint8_t, 12> request{0, 1, 0, 0, 0, 6, 1, 4, 0, 32, 0, 5};
+  std::array<std::uint8_t, 19> answer{};
   if (::send(socket.fd(), request.data(), request.size(), 0) != static_cast<ssize_t>(request.size())) return {};
   if (::recv(socket.fd(), answer.data(), answer.size(), MSG_WAITALL) != static_cast<ssize_t>(answer.size())) return {};
   const auto word = [&](std::size_t at) { return static_cast<std::uint16_t>(answer[at] << 8U | answer[at + 1]); };
-  return std::array<std::uint16_t, 2>{word(9), word(11)};
+  return Read{word(9), word(11), word(17)};
 }
 
 Config demo_config(std::uint16_t port) {
@@ -73,23 +81,44 @@ Config demo_config(std::uint16_t port) {
   return config;
 }
 
-TEST(CompositionTest, TheWholeUnitMeasuresAndAnswers) {
-  std::uint16_t port = 0;
-  {
-    const Socket probe;
-    port = probe.listen();
+std::uint16_t free_port() {
+  const Socket probe;
+  return probe.listen();
+}
+
+/// Waits for the first valid pose.
+bool becomes_valid(std::uint16_t port) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    const auto read = state_block(port);
+    if (read && read->heartbeat > 0 && read->valid()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+  return false;
+}
+
+TEST(CompositionTest, TheWholeUnitMeasuresAndAnswers) {
+  const std::uint16_t port = free_port();
   bool valid = false;
-  const Result<void> ran = run_unit(demo_config(port), [&] {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (!valid && std::chrono::steady_clock::now() < deadline) {
-      const auto read = heartbeat_and_status(port);
-      valid = read && (*read)[0] > 0 && ((*read)[1] & 0x0004U) != 0;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  });
+  const Result<void> ran = run_unit(demo_config(port), [&] { valid = becomes_valid(port); });
   EXPECT_TRUE(ran);
   EXPECT_TRUE(valid);
+}
+
+TEST(CompositionTest, AUnitThatStopsSaysSoWithoutAValidPoseBeforeItsPortCloses) {
+  const std::uint16_t port = free_port();
+  Read last;
+  std::jthread client;
+  const Result<void> ran = run_unit(demo_config(port), [&] {
+    EXPECT_TRUE(becomes_valid(port));
+    client = std::jthread([&] {
+      while (const auto read = state_block(port)) last = *read;
+    });
+  });
+  client.join();
+  EXPECT_TRUE(ran);
+  EXPECT_EQ(last.state, 6);
+  EXPECT_FALSE(last.valid());
 }
 
 TEST(CompositionTest, APortInUseIsAnErrorBeforeAnythingRuns) {

@@ -98,6 +98,16 @@ TEST(UnitReportTest, AVerdictWithoutAPoseIsSearching) {
   EXPECT_TRUE(state.pose_since_start);
 }
 
+TEST(UnitReportTest, AStoppedUnitSaysSoAndIsNotReady) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  report.take(with_pose(), std::nullopt, clock);
+  report.stop();
+  const UnitState state = report.state({delivering(), delivering()}, clock);
+  EXPECT_EQ(state.state, registers::State::kStopped);
+  EXPECT_FALSE(state.flags.ready);
+}
+
 TEST(UnitReportTest, AWithdrawnPoseIsGoneWithItsCause) {
   const HeldClock clock;
   UnitReport report(calibrated_unit(), clock.now());

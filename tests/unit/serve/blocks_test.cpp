@@ -113,10 +113,32 @@ TEST(TimingTest, StandsBehindTheCameras) {
   EXPECT_EQ(image[746], 61);
 }
 
+TEST(TimingTest, WhatTheSkewCostsIsUnknownWithoutAPose) {
+  Measurement measurement = position_measurement();
+  measurement.pose.reset();
+  measurement.faults.insert(Fault::kNotSeenLeft);
+  const RegisterImage image = image_of(unit_state(measurement));
+  EXPECT_EQ(u32_at(image, 736), 0xFFFFFFFFU);
+  EXPECT_EQ(i32_at(image, 732), 0) << "the skew itself is known";
+}
+
 TEST(StatusTest, EveryUnitFlagHasItsBit) {
   UnitState state;
   state.flags = {true, true, true, true, true, true, true};
   EXPECT_EQ(image_of(state)[33], 0x63D1);  // ready, stale, calibrated, registered, clock, simulated, verified, watched
+}
+
+TEST(StatusTest, AStoppedUnitHasNoValidPoseHoweverFreshItIs) {
+  UnitState state = unit_state();
+  state.state = registers::State::kStopped;
+  const RegisterImage image = image_of(state);
+  EXPECT_EQ(image[36], 6);
+  for (const std::size_t status : {33U, 101U, 201U, 251U, 301U}) {
+    EXPECT_EQ(image[status] & 0x001E, 0x0010) << status;  // not tracking, neither part valid, stale
+  }
+  EXPECT_EQ(u32_at(image, 110), 0x80000000U);
+  EXPECT_EQ(image[501], 0);
+  EXPECT_EQ(u32_at(image, 108), 12'000U) << "time and age stay";
 }
 
 TEST(StatusTest, FaultsAndWarningsHaveTheBitsOfTheContract) {
