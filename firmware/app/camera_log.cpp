@@ -18,9 +18,10 @@ void log_arrival(Side side, const CameraInfo& camera) {
 void CameraLog::take(const PerSide<CameraStatus>& cameras) {
   for (const Side side : kBothSides) {
     const CameraStatus& camera = cameras[side];
-    if (camera.last_error != last_error_[side]) {
+    if (camera.last_error != last_error_[side] || camera.losses != losses_[side]) {
       spdlog::warn("{}", camera.last_error);
       last_error_[side] = camera.last_error;
+      losses_[side] = camera.losses;
     }
     if (camera.delivering != delivering_[side]) {
       if (camera.delivering) log_arrival(side, camera.info);

@@ -1,6 +1,7 @@
 // What the log says about the cameras: each change once.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "capture/camera_worker.h"
@@ -16,6 +17,7 @@ class CameraLog {
  private:
   PerSide<bool> delivering_{false, false};
   PerSide<std::string> last_error_;
+  PerSide<std::uint64_t> losses_{0, 0};
 };
 
 }  // namespace tripoint

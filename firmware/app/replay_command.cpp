@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "app/detector_settings.h"
@@ -90,10 +92,15 @@ class EventMaker {
  public:
   explicit EventMaker(const LedDetectorSettings& settings) : detector_(settings) {}
 
-  Result<Event> event(const RecordedItem& item) {
+  /// @return kCorruptFrame, naming the file, for a picture that cannot be decoded
+  Result<Event> event(const RecordedItem& item, const RecordingReader& reader) {
     if (const auto* lost = std::get_if<CameraLost>(&item)) return Event{*lost};
     if (const auto* back = std::get_if<CameraBack>(&item)) return Event{*back};
-    return observed(std::get<Frame>(item)).map([](const Observation& seen) { return Event{seen}; });
+    const auto& frame = std::get<Frame>(item);
+    return observed(frame).map([](const Observation& seen) { return Event{seen}; }).map_error([&](const Error& error) {
+      const std::string file = reader.picture_file(frame.side, frame.sequence).string();
+      return Error{error.code, fmt::format("{}: {}", file, error.message)};
+    });
   }
 
  private:
@@ -120,6 +127,32 @@ class EventMaker {
   PerSide<RepeatCheck> repeats_;
 };
 
+/// Frames of a recording, as far as they were of use. Like a camera's thread, a replay goes on after a damaged one.
+class FrameTally {
+ public:
+  void used(const Event& event) { used_ += std::holds_alternative<Observation>(event) ? 1U : 0U; }
+  /// Tells the first at once; the rest are counted.
+  void unusable(const Error& error) {
+    if (unusable_++ == 0) fmt::print(stderr, "tripointd: {}\n", error.message);
+  }
+  /// @return the exit code: that nothing at all was of use is an error
+  [[nodiscard]] int told(const std::filesystem::path& folder) const {
+    if (used_ == 0) {
+      return report(
+          {ErrorCode::kMalformed, fmt::format("{}: none of its {} frames could be used", folder.string(), unusable_)});
+    }
+    if (unusable_ > 1) {
+      fmt::print(stderr, "tripointd: {}: {} of {} frames could not be used\n", folder.string(), unusable_,
+                 used_ + unusable_);
+    }
+    return number(ExitCode::kWell);
+  }
+
+ private:
+  std::size_t used_ = 0;
+  std::size_t unusable_ = 0;
+};
+
 }  // namespace
 
 int replay_command(const ReplayOptions& options) {
@@ -133,17 +166,19 @@ int replay_command(const ReplayOptions& options) {
   const OutputFrame frame = options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
   Line line(std::make_shared<const LineModel>(replay->model));
   EventMaker events(led_detector_settings(replay->config.detector));
+  FrameTally tally;
   while (const std::optional<Result<RecordedItem>> item = reader->next()) {
-    const Result<Event> event = item->and_then([&](const RecordedItem& row) { return events.event(row); });
+    const Result<Event> event = item->and_then([&](const RecordedItem& row) { return events.event(row, *reader); });
     if (!event) {
-      fmt::print(stderr, "tripointd: {}\n", event.error().message);  // as a camera's thread: note it and go on
+      tally.unusable(event.error());
       continue;
     }
+    tally.used(*event);
     if (const std::optional<Measurement> verdict = line.step(*event)) {
       fmt::print("{}\n", verdict_json(moved(*verdict, replay->wanted_from_output), frame));
     }
   }
-  return number(ExitCode::kWell);
+  return tally.told(options.folder);
 }
 
 }  // namespace tripoint

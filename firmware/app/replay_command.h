@@ -16,7 +16,9 @@ struct ReplayOptions {
 
 /// As fast as possible, in the order of the recording's rows.
 ///
-/// @return 0; 2 when a file is missing or wrong
+/// Of frames that cannot be used the first is named and the rest are counted.
+///
+/// @return 0; 2 when a file is missing or wrong, or no frame at all could be used
 int replay_command(const ReplayOptions& options);
 
 }  // namespace tripoint

@@ -55,8 +55,7 @@ std::optional<Result<RecordedItem>> RecordingReader::next() {
 }
 
 Result<Frame> RecordingReader::frame(const RecordedRow& row) {
-  const std::filesystem::path picture =
-      folder_ / name(row.side) / fmt::format("{:08d}.{}", row.index, name(description_.format));
+  const std::filesystem::path picture = picture_file(row.side, row.index);
   const auto about_row = [&](const Error& error) {
     return Error{error.code, fmt::format("{}:{}: {}", (folder_ / "frames.csv").string(), row.line, error.message)};
   };
@@ -74,6 +73,10 @@ Result<Frame> RecordingReader::frame(const RecordedRow& row) {
                    .line_time = description_.line_time},
                   picture)
       .map_error(about_row);
+}
+
+std::filesystem::path RecordingReader::picture_file(Side side, std::uint32_t index) const {
+  return folder_ / name(side) / fmt::format("{:08d}.{}", index, name(description_.format));
 }
 
 /// Turns file bytes in `pixels_` into what a camera would have delivered.

@@ -39,6 +39,9 @@ class RecordingReader {
   /// The picture of one row, as `next` gives it. Invalidates the frame before.
   Result<Frame> frame(const RecordedRow& row);
 
+  /// Where the picture of a frame is.
+  [[nodiscard]] std::filesystem::path picture_file(Side side, std::uint32_t index) const;
+
   [[nodiscard]] const RecordingDescription& description() const { return description_; }
   [[nodiscard]] std::span<const RecordedRow> rows() const { return rows_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
