@@ -68,9 +68,8 @@ class Line(unittest.TestCase):
             self.cameras.order(f"resume {side}")
         eventually("a valid pose", self.daemon.valid_reading)
 
-    def show(self, station: Station, count: int | None = None) -> None:
-        answer = self.cameras.order(f"show {station.first} {count or station.count}")
-        self.assertEqual(answer, "done")
+    def show(self, station: Station) -> None:
+        self.assertEqual(self.cameras.order(f"show {station.first} {station.count}"), "done")
 
     def settle(self) -> None:
         start = self.daemon.reading().sequence
@@ -111,6 +110,9 @@ class Line(unittest.TestCase):
         seen = self.daemon.reading()
         return seen if seen.faults & fault else None
 
+    def both_lost(self) -> bool:
+        return self.daemon.reading().faults & (LEFT_LOST | RIGHT_LOST) == LEFT_LOST | RIGHT_LOST
+
     def assert_measures_again(self) -> None:
         again = eventually("a valid pose again", self.daemon.valid_reading)
         self.assertFalse(again.faults & (LEFT_LOST | RIGHT_LOST))
@@ -140,14 +142,20 @@ class Line(unittest.TestCase):
         self.assertEqual(self.cameras.order("resume right"), "done")
         self.assert_measures_again()
 
-    def test_a_frozen_picture_is_not_measured(self) -> None:
-        self.show(self.stations[0], count=1)
-        eventually("no valid pose from a frozen picture", lambda: not self.daemon.reading().valid)
-        heartbeat = self.daemon.reading().heartbeat
-        time.sleep(STANDSTILL_S)
-        self.assertEqual(self.daemon.reading().heartbeat, heartbeat)
-        self.show(self.stations[0])
-        self.assert_measures_again()
+    def test_stale_pictures_are_not_measured_and_the_cameras_opened_anew(self) -> None:
+        """One frozen picture, and a driver that goes round in four."""
+        for count in (1, 4):
+            with self.subTest(pictures=count):
+                reopened = self.daemon.log.read_text().count("frozen")
+                self.assertEqual(self.cameras.order(f"freeze {self.stations[0].first} {count}"), "done")
+                eventually("both cameras lost", self.both_lost)
+                eventually("closed", lambda seen=reopened: self.daemon.log.read_text().count("frozen") > seen)
+                heartbeat = self.daemon.reading().heartbeat
+                time.sleep(STANDSTILL_S)
+                later = self.daemon.reading()
+                self.assertEqual((later.heartbeat, later.valid), (heartbeat, False))
+                self.show(self.stations[0])
+                self.assert_measures_again()
 
     def test_the_cameras_hold_the_settings_of_the_configuration(self) -> None:
         for side in SIDES:

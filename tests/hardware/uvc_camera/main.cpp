@@ -2,8 +2,10 @@
 //
 // Prints one line, {"left": PORT, "right": PORT, "control": PORT}, all on 127.0.0.1. A connection to the first two is
 // handed to vhci_hcd; a connection to the third gives one line each way:
-//   unplug SIDE | hang SIDE | resume SIDE | show FIRST COUNT  ->  "done" or "refused"
-//   settings SIDE                                             ->  what the camera holds
+//   unplug SIDE | hang SIDE | resume SIDE  ->  "done" or "refused"
+//   show FIRST COUNT                       ->  the same; pictures in turn, each with noise of its own
+//   freeze FIRST COUNT                     ->  the same; byte for byte, as stale buffers would come
+//   settings SIDE                          ->  what the camera holds
 // Ends with its parent or on SIGTERM.
 #include <sys/prctl.h>
 
@@ -40,11 +42,11 @@ std::string outcome_of(const std::string& order, Camera& left, Camera& right, Pl
   std::istringstream words(order);
   std::string verb;
   words >> verb;
-  if (verb == "show") {
+  if (verb == "show" || verb == "freeze") {
     std::size_t first = 0;
     std::size_t count = 0;
     words >> first >> count;
-    return words && playlist.show(first, count) ? "done" : "refused";
+    return words && playlist.show(first, count, verb == "show") ? "done" : "refused";
   }
   std::string side;
   words >> side;

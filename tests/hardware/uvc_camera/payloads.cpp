@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "noise.h"
+
 namespace tripoint::uvc {
 namespace {
 
@@ -41,7 +43,10 @@ std::size_t Payloads::write(std::span<std::uint8_t> packet, Time now) {
   if (remaining_.empty()) {
     frame_ = frame_at(now);
     frame_id_ ^= 1U;
-    remaining_ = pictures_.at(choice_.format, playlist_.picture_of(frame_));
+    const Showing showing = playlist_.at(frame_);
+    picture_ = pictures_.at(choice_.format, showing.picture);
+    if (showing.restless) picture_ = with_noise(picture_, choice_.format, frame_);
+    remaining_ = picture_;
   }
   const std::size_t count = std::min(packet.size() - kHeaderBytes, remaining_.size());
   std::ranges::copy(remaining_.first(count), packet.begin() + kHeaderBytes);

@@ -36,6 +36,7 @@ class Payloads {
   Time epoch_;
   StreamChoice choice_;
   std::uint64_t frame_ = 0;                  ///< the newest one begun
+  Bytes picture_;                            ///< that it shows
   std::span<const std::uint8_t> remaining_;  ///< of its picture
   std::uint8_t frame_id_ = 0;                ///< toggles with each frame
 };

@@ -25,8 +25,8 @@ std::vector<Bytes> files_in(const std::filesystem::path& folder, const std::stri
   return files;
 }
 
-/// Webcams leave the Huffman tables out of their MJPEG frames; the receiver has to know the standard ones (ITU-T T.81,
-/// K.3).
+}  // namespace
+
 Bytes without_huffman_tables(const Bytes& jpeg) {
   constexpr std::uint8_t kHuffmanTables = 0xc4;
   constexpr std::uint8_t kStartOfScan = 0xda;
@@ -43,8 +43,6 @@ Bytes without_huffman_tables(const Bytes& jpeg) {
   return bare;
 }
 
-}  // namespace
-
 Pictures pictures_from(const RecordingFolders& folders, const std::string& side) {
   Pictures pictures{files_in(folders.yuyv / side, ".yuyv"), files_in(folders.mjpeg / side, ".jpg")};
   for (const Bytes& picture : pictures.yuyv) {
@@ -58,17 +56,18 @@ Pictures pictures_from(const RecordingFolders& folders, const std::string& side)
   return pictures;
 }
 
-bool Playlist::show(std::size_t first, std::size_t count) {
+bool Playlist::show(std::size_t first, std::size_t count, bool restless) {
   if (count == 0 || first >= pictures_ || count > pictures_ - first) return false;
   const std::scoped_lock lock(guard_);
   first_ = first;
   count_ = count;
+  restless_ = restless;
   return true;
 }
 
-std::size_t Playlist::picture_of(std::uint64_t frame) const {
+Showing Playlist::at(std::uint64_t frame) const {
   const std::scoped_lock lock(guard_);
-  return first_ + frame % count_;
+  return {first_ + frame % count_, restless_};
 }
 
 }  // namespace tripoint::uvc
