@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import asdict
 
 from register_map.model import Block, Register, RegisterMap
 
@@ -18,6 +19,11 @@ def problems(register_map: RegisterMap) -> list[str]:
         for register in block.registers:
             found += _of_register(register, block, register_map)
     found += _overlaps(register_map)
+    found += [
+        f"server: {name} must be a whole number greater than 0"
+        for name, value in asdict(register_map.server).items()
+        if not (isinstance(value, int) and value > 0)
+    ]
     found += _twice("block", [block.name for block in register_map.blocks])
     for kind, table in (("bits", register_map.bits), ("choices", register_map.choices)):
         for name, rows in table.items():

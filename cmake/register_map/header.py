@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 from register_map.model import Block, Name, Register, RegisterMap
 
 CPP_TYPES = {
@@ -34,6 +36,10 @@ def header(register_map: RegisterMap) -> str:
     lines = [PREFIX]
     for name in ("major", "minor", "image_length", "mirror_at"):
         lines.append(f"inline constexpr std::uint16_t {_constant(name)} = {getattr(register_map, name)};")
+    lines += ["", "/// What a client's connection must keep to.", "namespace server {"]
+    for name, value in asdict(register_map.server).items():
+        lines.append(f"inline constexpr std::uint32_t {_constant(name)} = {value};")
+    lines.append("}")
     for name, rows in register_map.bits.items():
         lines += _enumeration(f"{_pascal(name)}Bit", rows)
     for name, rows in register_map.choices.items():

@@ -69,6 +69,18 @@ class Name:
 
 
 @dataclass(frozen=True, slots=True)
+class Server:
+    """What a client's connection must keep to."""
+
+    most_connections: int
+    frame_ms: int
+    write_ms: int
+    idle_ms: int
+    pace_us: int
+    burst_ms: int
+
+
+@dataclass(frozen=True, slots=True)
 class RegisterMap:
     """The whole contract."""
 
@@ -76,6 +88,7 @@ class RegisterMap:
     minor: int
     image_length: int
     mirror_at: int
+    server: Server
     blocks: tuple[Block, ...]
     bits: dict[str, tuple[Name, ...]]
     choices: dict[str, tuple[Name, ...]]
@@ -106,12 +119,20 @@ def from_document(document: dict[str, Any]) -> RegisterMap:
             minor=document["minor"],
             image_length=document["image_length"],
             mirror_at=document["mirror_at"],
+            server=_server(document["server"]),
             blocks=tuple(blocks),
             bits={t["name"]: _names(t["bits"], "bit") for t in document.get("bits", [])},
             choices={t["name"]: _names(t["choices"], "value") for t in document.get("choices", [])},
         )
     except KeyError as error:
         raise MapError(f"key {error} is missing") from error
+
+
+def _server(table: dict[str, Any]) -> Server:
+    try:
+        return Server(**table)
+    except TypeError as error:
+        raise MapError(f"server: {error}") from error
 
 
 def _names(rows: list[dict[str, Any]], number: str) -> tuple[Name, ...]:

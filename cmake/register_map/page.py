@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 from register_map.model import Block, Name, Register, RegisterMap
 
 INTRODUCTION = """\
@@ -30,7 +32,8 @@ CLIENT = """\
    application's limits. Where the rig stands free or the calibration must be verified: mask 16#621C = 16#600C.
    A new sample is a sequence other than the last (compare for unequal, it wraps).
 4. Own timer: heartbeat unchanged for 500 ms is a communication fault, whatever the bits say. This also catches a
-   gateway or proxy that answers from its cache.
+   gateway or proxy that answers from its cache. A new sequence is no heartbeat: a lost or returned camera, or stamps that
+   cannot be joined, publish a sequence without a step of it.
 5. Test the bits before touching a value: NaN in a comparison stops a TwinCAT runtime by default. There, or without
    64-bit integers, use the integer block and its age.
 6. k = 2 holds per axis (95 %); all three at once 87 %.
@@ -39,6 +42,24 @@ CLIENT = """\
 
 Latch: write 0 to 1000, see 40 = 0; write 256 + token, see 40 = that word and 41 = 2 (done) or 3 (failed); read 400 to
 463. A client that reads one register per request (Universal Robots) must take its pose this way.
+"""
+
+CONNECTIONS = """\
+## Connections
+
+| limit | value | what happens then |
+|---|---|---|
+| connections, all clients together | {most_connections} by default (`modbus.max_connections`) | see below |
+| from the first byte of a request to its last | {frame_ms} ms | closed |
+| until the client has taken its answer | {write_ms} ms | closed |
+| without any request | {idle_ms} ms | closed |
+| requests of one connection, sustained | one each {pace_us} us, after up to {burst} at once | the next answer waits |
+| not Modbus TCP: protocol id other than 0, length outside 2 to 254 | | closed |
+
+An address has no fixed share. When all connections are taken, a newcomer from the address that holds most is refused;
+any other takes the place of that address's longest silent connection. An address that is not in
+`modbus.allowed_clients` (empty: everyone) is always refused. Each of these sets warning bit 9 for 10 s. Keep one
+connection and poll it, rather than one connection for each request; when it was closed, connect anew.
 """
 
 
@@ -51,7 +72,9 @@ def page(register_map: RegisterMap) -> str:
         "mirror": register_map.mirror_at,
         "mirror_last": register_map.mirror_at + register_map.image_length - 1,
     }
-    parts = [INTRODUCTION.format(**places), CLIENT.format(**places)]
+    server = register_map.server
+    connections = CONNECTIONS.format(**asdict(server), burst=1000 * server.burst_ms // server.pace_us)
+    parts = [INTRODUCTION.format(**places), CLIENT.format(**places), connections]
     parts += [_block(block) for block in register_map.blocks]
     parts += [_names(f"Bits: {name}", "bit", rows) for name, rows in register_map.bits.items()]
     parts += [_names(f"Numbers: {name}", "number", rows) for name, rows in register_map.choices.items()]

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
+#include <chrono>
 #include <utility>
+
+#include "contract/registers.h"
 
 namespace tripoint {
 namespace {
 
-// A client that was quiet may send so much at once before it is paced: 200 requests at the default pace.
-constexpr Duration kBurst{20'000'000};
+// A client that was quiet may send so much at once before it is paced.
+constexpr Duration kBurst = std::chrono::milliseconds(registers::server::kBurstMs);
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // The Modbus TCP server: one thread, many clients, none of which can hold up another.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "contract/registers.h"
 #include "net/network.h"
 #include "serve/responder.h"
 #include "values/result.h"
@@ -19,13 +21,16 @@ namespace tripoint {
 struct ModbusSettings {
   std::string address = "127.0.0.1";
   std::uint16_t port = 1502;  ///< 0: any free one, see ModbusServer::port
-  std::size_t most_connections = 64;
+  std::size_t most_connections = registers::server::kMostConnections;
   std::vector<ClientNetwork> allowed_clients;  ///< empty: everyone
   std::vector<ClientNetwork> command_clients;  ///< who may write register 1000; empty: nobody
-  Duration frame_limit{2'000'000'000};         ///< from the first byte of a request to its last
-  Duration write_limit{2'000'000'000};         ///< until a client has taken its answers
-  Duration idle_limit{300'000'000'000};        ///< without any request
-  Duration request_pace{100'000};              ///< sustained time per request of one client; faster ones wait
+  Duration frame_limit =
+      std::chrono::milliseconds(registers::server::kFrameMs);  ///< from the first byte of a request to its last
+  Duration write_limit =
+      std::chrono::milliseconds(registers::server::kWriteMs);  ///< until a client has taken its answers
+  Duration idle_limit = std::chrono::milliseconds(registers::server::kIdleMs);  ///< without any request
+  Duration request_pace = std::chrono::microseconds(
+      registers::server::kPaceUs);  ///< sustained time per request of one client; faster ones wait
 };
 
 /// Since the server was opened.

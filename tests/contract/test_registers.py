@@ -54,6 +54,7 @@ def test_the_map_of_the_tree_is_sound_and_its_page_up_to_date() -> None:
         (lambda d: register(d, "measured", "x").update(name="X position"), "is not snake_case"),
         (lambda d: register(d, "points", "x").update(stride=1), "repeated every 1 registers but 2 long"),
         (lambda d: register(d, "measured", "y").update(name="x"), "'x' exists twice"),
+        (lambda d: d["server"].update(idle_ms=0), "idle_ms must be a whole number greater than 0"),
         (lambda d: d["bits"][0]["bits"][3].update(bit=16), "outside 0 to 15"),
         (lambda d: d["bits"][0]["bits"][3].update(bit=2), "number in bits status '2' exists twice"),
     ],
@@ -69,6 +70,7 @@ def test_a_planted_violation_is_refused(spoil: Callable[[Document], None], compl
     [
         (lambda d: d.update(format="tripoint-registers/2"), "format must be"),
         (lambda d: d.pop("mirror_at"), "'mirror_at' is missing"),
+        (lambda d: d["server"].update(ilde_ms=1), "ilde_ms"),
         (lambda d: register(d, "measured", "x").update(type="i24"), "'i24' of 'x' is none of"),
         (lambda d: register(d, "measured", "x").update(sclae=2), "sclae"),
         (lambda d: register(d, "measured", "x").pop("since"), "since"),
@@ -119,6 +121,14 @@ def test_registers_stand_where_the_contract_puts_them() -> None:
         for register in block.registers
     }
     assert {name: table.get(name) for _, _, name in ANCHORS} == {name: (at, kind) for at, kind, name in ANCHORS}
+
+
+def test_the_page_gives_a_clients_limits_as_the_server_holds_them() -> None:
+    spoilt = document()
+    spoilt["server"]["idle_ms"] = 12_345
+    changed = from_document(spoilt)
+    assert "| without any request | 12345 ms | closed |" in page(changed)
+    assert "kIdleMs = 12345;" in header(changed)
 
 
 def test_every_register_has_its_row_on_the_page_and_its_field_in_the_header() -> None:

@@ -1,5 +1,6 @@
 // The whole unit with all its threads on simulated cameras; what each part does is tested in its room.
 #include "app/composition.h"
+#include "contract/registers.h"
 #include "places.h"
 
 #include <arpa/inet.h>
@@ -119,6 +120,10 @@ TEST(CompositionTest, AUnitThatStopsSaysSoWithoutAValidPoseBeforeItsPortCloses) 
   EXPECT_TRUE(ran);
   EXPECT_EQ(last.state, 6);
   EXPECT_FALSE(last.valid());
+}
+
+TEST(CompositionTest, TheConfigurationsDefaultIsTheDocumentedNumberOfConnections) {
+  EXPECT_EQ(static_cast<std::uint32_t>(ModbusConfig{}.max_connections), registers::server::kMostConnections);
 }
 
 TEST(CompositionTest, APortInUseIsAnErrorBeforeAnythingRuns) {
