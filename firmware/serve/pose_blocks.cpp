@@ -58,6 +58,12 @@ Reading as_single(const Reading& reading) {
   return fits(registers::single::kX, numbers_in(reading).position_mm) ? reading : without_pose(reading);
 }
 
+template <typename Field, std::size_t N>
+void put_each(RegisterImage& image, const std::array<Field, N>& fields, const std::array<Optional, N>& values,
+              std::size_t shift) {
+  for (std::size_t i = 0; i < N; ++i) image.put(fields[i], values[i], shift);
+}
+
 }  // namespace
 
 void put_integer_pose(RegisterImage& image, const Reading& reading, std::size_t shift) {
@@ -69,22 +75,11 @@ void put_integer_pose(RegisterImage& image, const Reading& reading, std::size_t 
   image.put(kWarnings, reading.warnings, shift);
   image.put(kTime, reading.time_ns, shift);
   image.put(kAge, reading.age_ms, shift);
-  image.put(kX, numbers.position_mm[0], shift);
-  image.put(kY, numbers.position_mm[1], shift);
-  image.put(kZ, numbers.position_mm[2], shift);
-  image.put(kA, numbers.abc_deg[0], shift);
-  image.put(kB, numbers.abc_deg[1], shift);
-  image.put(kC, numbers.abc_deg[2], shift);
-  image.put(kQw, numbers.quaternion[0], shift);
-  image.put(kQx, numbers.quaternion[1], shift);
-  image.put(kQy, numbers.quaternion[2], shift);
-  image.put(kQz, numbers.quaternion[3], shift);
-  image.put(kUncertaintyX, numbers.expanded_mm[0], shift);
-  image.put(kUncertaintyY, numbers.expanded_mm[1], shift);
-  image.put(kUncertaintyZ, numbers.expanded_mm[2], shift);
-  image.put(kUncertaintyA, numbers.expanded_deg[0], shift);
-  image.put(kUncertaintyB, numbers.expanded_deg[1], shift);
-  image.put(kUncertaintyC, numbers.expanded_deg[2], shift);
+  put_each(image, std::array{kX, kY, kZ}, numbers.position_mm, shift);
+  put_each(image, std::array{kA, kB, kC}, numbers.abc_deg, shift);
+  put_each(image, std::array{kQw, kQx, kQy, kQz}, numbers.quaternion, shift);
+  put_each(image, std::array{kUncertaintyX, kUncertaintyY, kUncertaintyZ}, numbers.expanded_mm, shift);
+  put_each(image, std::array{kUncertaintyA, kUncertaintyB, kUncertaintyC}, numbers.expanded_deg, shift);
   image.put(kResidual, reading.residual_px, shift);
   image.put(kPointsUsed, reading.points_used, shift);
   image.put(kSequenceLong, reading.sequence, shift);
@@ -101,22 +96,11 @@ void put_float_pose(RegisterImage& image, const Reading& reading, std::size_t sh
   image.put(kWarnings, reading.warnings, shift);
   image.put(kTime, reading.time_ns, shift);
   image.put(kAge, reading.age_ms, shift);
-  image.put(kX, numbers.position_mm[0], shift);
-  image.put(kY, numbers.position_mm[1], shift);
-  image.put(kZ, numbers.position_mm[2], shift);
-  image.put(kA, numbers.abc_deg[0], shift);
-  image.put(kB, numbers.abc_deg[1], shift);
-  image.put(kC, numbers.abc_deg[2], shift);
-  image.put(kQw, numbers.quaternion[0], shift);
-  image.put(kQx, numbers.quaternion[1], shift);
-  image.put(kQy, numbers.quaternion[2], shift);
-  image.put(kQz, numbers.quaternion[3], shift);
-  image.put(kUncertaintyX, numbers.expanded_mm[0], shift);
-  image.put(kUncertaintyY, numbers.expanded_mm[1], shift);
-  image.put(kUncertaintyZ, numbers.expanded_mm[2], shift);
-  image.put(kUncertaintyA, numbers.expanded_deg[0], shift);
-  image.put(kUncertaintyB, numbers.expanded_deg[1], shift);
-  image.put(kUncertaintyC, numbers.expanded_deg[2], shift);
+  put_each(image, std::array{kX, kY, kZ}, numbers.position_mm, shift);
+  put_each(image, std::array{kA, kB, kC}, numbers.abc_deg, shift);
+  put_each(image, std::array{kQw, kQx, kQy, kQz}, numbers.quaternion, shift);
+  put_each(image, std::array{kUncertaintyX, kUncertaintyY, kUncertaintyZ}, numbers.expanded_mm, shift);
+  put_each(image, std::array{kUncertaintyA, kUncertaintyB, kUncertaintyC}, numbers.expanded_deg, shift);
   image.put(kResidual, reading.residual_px, shift);
   image.put(kSequenceLong, reading.sequence, shift);
   image.put(kSetup, reading.setup, shift);
@@ -131,15 +115,9 @@ void put_single_pose(RegisterImage& image, const Reading& reading, std::size_t s
   image.put(kStatus, shown.status, shift);
   image.put(kFaults, shown.faults, shift);
   image.put(kHeartbeat, shown.heartbeat, shift);
-  image.put(kX, numbers.position_mm[0], shift);
-  image.put(kY, numbers.position_mm[1], shift);
-  image.put(kZ, numbers.position_mm[2], shift);
-  image.put(kRotationX, numbers.rotation_rad[0], shift);
-  image.put(kRotationY, numbers.rotation_rad[1], shift);
-  image.put(kRotationZ, numbers.rotation_rad[2], shift);
-  image.put(kUncertaintyX, numbers.expanded_mm[0], shift);
-  image.put(kUncertaintyY, numbers.expanded_mm[1], shift);
-  image.put(kUncertaintyZ, numbers.expanded_mm[2], shift);
+  put_each(image, std::array{kX, kY, kZ}, numbers.position_mm, shift);
+  put_each(image, std::array{kRotationX, kRotationY, kRotationZ}, numbers.rotation_rad, shift);
+  put_each(image, std::array{kUncertaintyX, kUncertaintyY, kUncertaintyZ}, numbers.expanded_mm, shift);
   image.put(kAge, shown.age_ms, shift);
   image.put(kSetup, shown.setup, shift);
   image.put(kSequenceEnd, low_word(shown.sequence), shift);
