@@ -45,7 +45,7 @@ Result<SimulationSettings> simulation_settings(const Config& config) {
   const Result<Trajectory> trajectory = wanted.trajectory_file.empty()
                                             ? Result<Trajectory>(trajectory_of(wanted.scenario))
                                             : load_trajectory(wanted.trajectory_file);
-  if (!trajectory) return tl::make_unexpected(trajectory.error());
+  if (!trajectory) return tl::make_unexpected(named_by(config, "simulation.trajectory_file", trajectory.error()));
   SimulationSettings settings;
   settings.trajectory = *trajectory;
   settings.rig = default_rig(config.cameras.size);
@@ -83,7 +83,7 @@ Result<PerSide<OpenCamera>> recorded_cameras(const Config& config, const Clock& 
   PerSide<OpenCamera> cameras;
   for (const Side side : kBothSides) {
     Result<OpenCamera> opener = RecordedCamera::opener(config.recording.folder, side, playback);
-    if (!opener) return tl::make_unexpected(opener.error());
+    if (!opener) return tl::make_unexpected(named_by(config, "recording.folder", opener.error()));
     cameras[side] = std::move(*opener);
   }
   return cameras;

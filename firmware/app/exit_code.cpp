@@ -4,7 +4,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <string>
+#include <system_error>
 
 namespace tripoint {
 
@@ -17,7 +18,7 @@ int report(const Error& error) {
 int code_with_output_written(int code) {
   errno = 0;
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  const char* const reason = errno != 0 ? std::strerror(errno) : "an earlier write failed";
+  const std::string reason = errno != 0 ? std::generic_category().message(errno) : "an earlier write failed";
   return report({ErrorCode::kCannotWrite,
                  fmt::format("the output cannot be written ({}): make room there, or send it elsewhere", reason)});
 }

@@ -30,7 +30,7 @@ Limits limits_of(const Config& config) {
 Result<Target> points_of(const TargetFile& file) {
   if (file.kind != TargetKind::kLed) {
     return failure(ErrorCode::kMismatch,
-                   "the target is made of AprilTags, but detector.kind is \"led\": use a LED target");
+                   "the target is made of AprilTags, but detector.kind is \"led\": permitted is a target of LEDs");
   }
   Target target;
   for (const TargetFilePoint& point : file.points) {
@@ -73,11 +73,6 @@ UnitConstants constants_of(const Config& config, const std::optional<Calibration
   return constants;
 }
 
-/// An error of a file that the configuration names, told with the key that names it.
-Error named_by(std::string_view key, const Error& error) {
-  return {error.code, fmt::format("{}: {}", key, error.message)};
-}
-
 /// Pictures of another size than the calibration's cannot be measured; of a recording only its frames can tell.
 Result<void> check_size(const Config& config, const Calibration& calibration) {
   if (config.cameras.source == CameraSource::kRecording) return {};
@@ -87,7 +82,7 @@ Result<void> check_size(const Config& config, const Calibration& calibration) {
     return failure(
         ErrorCode::kMismatch,
         fmt::format("made at {}x{} px ({} camera), but cameras.width_px and height_px ask for {}x{}: set that "
-                    "size or use another calibration",
+                    "size, or use another calibration",
                     size.width_px, size.height_px, name(side), config.cameras.size.width_px,
                     config.cameras.size.height_px));
   }
@@ -116,16 +111,16 @@ Result<LineModel> line_model(const Calibration& calibration, const TargetFile& t
 Result<UnitSetup> unit_setup(const Config& config) {
   const Result<TargetFile> target =
       config.target_file.empty() ? Result<TargetFile>(single_led()) : load_target(config.target_file);
-  if (!target) return tl::make_unexpected(named_by("target.file", target.error()));
+  if (!target) return tl::make_unexpected(named_by(config, "target.file", target.error()));
 
   UnitSetup setup;
   if (!config.calibration_file.empty()) {
     Result<Calibration> calibration = load_calibration(config.calibration_file);
     const Result<void> usable =
         calibration.and_then([&](const Calibration& loaded) { return check_size(config, loaded); });
-    if (!usable) return tl::make_unexpected(named_by("calibration.file", usable.error()));
+    if (!usable) return tl::make_unexpected(named_by(config, "calibration.file", usable.error()));
     Result<LineModel> model = line_model(*calibration, *target, config);
-    if (!model) return tl::make_unexpected(model.error());
+    if (!model) return tl::make_unexpected(named_by(config, "target.file", model.error()));
     setup.model = std::make_shared<const LineModel>(std::move(*model));
     setup.calibration = std::move(*calibration);
   }

@@ -105,7 +105,7 @@ Result<Calibration> parse_calibration(std::string_view text, std::string_view fi
   if (!tree) return tl::make_unexpected(tree.error());
   Findings findings{std::string{file_name}};
   TableReader root{findings, *tree};
-  if (root.text("format") != kFormat) root.refuse("format", fmt::format("permitted is \"{}\"", kFormat));
+  root.choice<bool>("format", {{kFormat, true}});
 
   Calibration calibration;
   calibration.created = root.time("created");

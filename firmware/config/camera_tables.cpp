@@ -29,7 +29,9 @@ void check_bindings(TableReader& table, const CamerasConfig& cameras) {
   if (cameras.source != CameraSource::kV4l2) return;
   for (const Side side : kBothSides) {
     if (!bound(cameras.bindings[side])) {
-      table.refuse(name(side), "names no camera; permitted with source \"v4l2\" is a port, serial or device");
+      table.refuse(name(side),
+                   "names no camera: with cameras.source \"v4l2\" give its port or serial, as `tripointd cameras` "
+                   "prints them, or a device");
     }
   }
 }
@@ -37,20 +39,20 @@ void check_bindings(TableReader& table, const CamerasConfig& cameras) {
 void check_size(TableReader& table, const ImageSize& size) {
   if (std::find(kSizes.begin(), kSizes.end(), size) != kSizes.end()) return;
   table.refuse("width_px",
-               fmt::format("with height_px = {}: permitted is 320 x 240, 640 x 480 or 1280 x 720", size.height_px));
+               fmt::format("with height_px = {} permitted is 320 x 240, 640 x 480 or 1280 x 720", size.height_px));
 }
 
 void check_exposure(TableReader& table, const CamerasConfig& cameras) {
   const double period_us = 1e6 / cameras.rate_hz;
   if (static_cast<double>(cameras.exposure.count()) <= period_us) return;
   table.refuse("exposure_us",
-               fmt::format("longer than a frame; permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
+               fmt::format("longer than a frame: permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
 }
 
 void check_loss(TableReader& table, const CamerasConfig& cameras) {
   const double shortest_ms = 1.5e3 / cameras.rate_hz;
   if (static_cast<double>(cameras.loss_after.count()) >= shortest_ms) return;
-  table.refuse("loss_after_ms", fmt::format("shorter than one and a half frames; permitted at {} Hz is from {:.0f}",
+  table.refuse("loss_after_ms", fmt::format("shorter than one and a half frames: permitted at {} Hz is from {:.0f}",
                                             cameras.rate_hz, std::ceil(shortest_ms)));
 }
 
@@ -84,16 +86,11 @@ CamerasConfig cameras_from(TableReader table) {
   return c;
 }
 
-DetectorConfig detector_from(TableReader table, ConfiguredFormat format) {
+DetectorConfig detector_from(TableReader table) {
   DetectorConfig d;
   d.kind = table.choice<ConfiguredDetector>("kind", {{"led", ConfiguredDetector::kLed}}, d.kind);
   d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
   d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
-  if (format == ConfiguredFormat::kGrey && d.kind == ConfiguredDetector::kLed) {
-    table.refuse("kind",
-                 "red LEDs cannot be told from other lights without colour; permitted for led is cameras.format "
-                 "\"yuyv\" or \"mjpeg\"");
-  }
   table.finish();
   return d;
 }
@@ -119,7 +116,7 @@ RecordingConfig recording_from(TableReader table, const std::filesystem::path& f
   RecordingConfig r;
   r.folder = path_from(folder, table.text("folder", ""));
   if (source == CameraSource::kRecording && r.folder.empty()) {
-    table.refuse("folder", "is missing; required with cameras.source \"recording\"");
+    table.refuse("folder", "missing, but required with cameras.source \"recording\": permitted is a recording folder");
   }
   table.finish();
   return r;

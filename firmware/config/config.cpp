@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "config/tables.h"
 #include "document/file.h"
 #include "document/sha256.h"
@@ -32,7 +34,12 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   config.cameras = cameras_from(root.table("cameras"));
   config.calibration_file = file_from(root.table("calibration"), folder);
   config.recording = recording_from(root.table("recording"), folder, config.cameras.source);
-  config.detector = detector_from(root.table("detector"), config.cameras.format);
+  config.detector = detector_from(root.table("detector"));
+  if (config.cameras.format == ConfiguredFormat::kGrey && config.detector.kind == ConfiguredDetector::kLed) {
+    root.table("cameras").refuse("format",
+                                 "red LEDs cannot be told from other lights without colour: permitted for "
+                                 "detector.kind \"led\" is \"yuyv\" or \"mjpeg\"");
+  }
   config.target_file = file_from(root.table("target"), folder);
   config.volume = volume_from(root.table("volume"));
   config.timing = timing_from(root.table("timing"));
@@ -63,6 +70,7 @@ Result<Config> parse_config(std::string_view text, std::string_view file_name, s
   Config config = config_from(root, std::filesystem::path{file_name}.parent_path());
   if (findings.error()) return tl::make_unexpected(*findings.error());
   config.values = findings.values();
+  config.places = findings.places();
   config.id = id_from(sha256(joined(config.values)));
   return config;
 }
@@ -71,6 +79,13 @@ Result<Config> load_config(const std::filesystem::path& path, std::span<const st
   const Result<std::string> text = read_file(path, kMostDocumentBytes);
   if (!text) return tl::make_unexpected(text.error());
   return parse_config(*text, path.string(), overrides);
+}
+
+Error named_by(const Config& config, std::string_view key, const Error& error) {
+  const auto found =
+      std::find_if(config.places.begin(), config.places.end(), [key](const auto& place) { return place.first == key; });
+  const std::string place = found != config.places.end() ? found->second + ": " : "";
+  return {error.code, fmt::format("{}{}: {}", place, key, error.message)};
 }
 
 std::string canonical_text(const Config& config, std::span<const std::string_view> tables) {

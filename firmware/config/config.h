@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "values/linear.h"
@@ -105,7 +106,8 @@ struct Config {
   ModbusConfig modbus;
   SimulationConfig simulation;
   std::vector<std::string> values;  ///< "table.key = value" of everything above, sorted; paths as written
-  std::uint32_t id = 0;             ///< registers 16-17
+  std::vector<std::pair<std::string, std::string>> places;  ///< "table.key" and "file:line" of what the file gives
+  std::uint32_t id = 0;                                     ///< registers 16-17
 };
 
 /// Checks the whole text. Relative paths are taken from the folder of `file_name`.
@@ -116,6 +118,9 @@ Result<Config> parse_config(std::string_view text, std::string_view file_name, s
 
 /// @return kCannotRead, or as parse_config
 Result<Config> load_config(const std::filesystem::path& path, std::span<const std::string> overrides);
+
+/// An error of what a value of the configuration names (a file, a folder), told with the place and key of that value.
+Error named_by(const Config& config, std::string_view key, const Error& error);
 
 /// The same text for every way of writing the same values of these tables: what a hash is made of. For the setup
 /// (register 146) the tables are kSetupTables; the source is cameras.source.

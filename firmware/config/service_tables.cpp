@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> clients_from(TableReader& table, std::string_view key) {
   std::vector<std::string> clients = table.texts(key);
   if (!std::all_of(clients.begin(), clients.end(), is_address_or_network)) {
-    table.refuse(key, "permitted is a list of numeric addresses or networks, as \"192.168.0.0/24\"");
+    table.refuse(key, R"(permitted is a list of numeric addresses or networks, as ["192.168.0.10", "192.168.1.0/24"])");
   }
   return clients;
 }

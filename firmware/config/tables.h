@@ -9,7 +9,7 @@
 namespace tripoint {
 
 CamerasConfig cameras_from(TableReader table);
-DetectorConfig detector_from(TableReader table, ConfiguredFormat format);
+DetectorConfig detector_from(TableReader table);
 VolumeConfig volume_from(TableReader table);
 TimingConfig timing_from(TableReader table);
 OutputConfig output_from(TableReader table);

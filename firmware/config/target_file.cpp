@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "document/file.h"
 #include "document/table_reader.h"
 
@@ -89,7 +87,7 @@ Result<TargetFile> parse_target(std::string_view text, std::string_view file_nam
   if (!tree) return tl::make_unexpected(tree.error());
   Findings findings{std::string{file_name}};
   TableReader root{findings, *tree};
-  if (root.text("format") != kFormat) root.refuse("format", fmt::format("permitted is \"{}\"", kFormat));
+  root.choice<bool>("format", {{kFormat, true}});
 
   TargetFile target;
   target.kind = root.choice<TargetKind>("detector", {{"led", TargetKind::kLed}, {"apriltag", TargetKind::kAprilTag}});

@@ -2,24 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "document/wording.h"
 
 namespace tripoint {
 namespace {
 
 constexpr std::size_t kMostTextBytes = 4096;  // the longest path Linux takes
-constexpr std::size_t kShownBytes = 60;       // of a refused value in a message
 const TomlTable kNoTable{};
 const TomlArray kNoArray{};
-
-std::optional<double> number_in(const TomlNode& node) {
-  if (const auto* integer = std::get_if<std::int64_t>(&node.value)) return static_cast<double>(*integer);
-  if (const auto* number = std::get_if<double>(&node.value)) return *number;
-  return std::nullopt;
-}
 
 /// The command line needs no quotes: there any value is a text where a text is wanted.
 std::optional<std::string> text_in(const TomlNode& node) {
@@ -31,40 +25,12 @@ std::optional<std::string> text_in(const TomlNode& node) {
   return found;
 }
 
-std::string shown(const TomlNode& node) {
-  if (!node.as_given.empty()) return node.as_given.substr(0, kShownBytes);
-  if (const auto* truth = std::get_if<bool>(&node.value)) return *truth ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&node.value))
-    return fmt::format("\"{}\"", text->substr(0, kShownBytes));
-  if (const auto number = number_in(node)) return fmt::format("{}", *number);
-  if (const auto* array = std::get_if<TomlArray>(&node.value)) return fmt::format("[{} values]", array->size());
-  return std::holds_alternative<TomlTable>(node.value) ? "a table" : "a time";
-}
-
-/// Levenshtein: how many letters to put in, take out or replace.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (const char letter : a) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (letter == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string hint(std::string_view key, const std::vector<std::string>& known) {
-  if (known.empty() || key.size() > kShownBytes) return {};
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-    return edits_between(key, a) < edits_between(key, b);
-  });
-  if (edits_between(key, *nearest) <= std::max<std::size_t>(2, key.size() / 2)) {
-    return fmt::format(" (did you mean {}?)", *nearest);
-  }
-  return fmt::format("; permitted is {}", fmt::join(known, ", "));
+/// "a number from 0 to 1"; without the range when all are permitted.
+template <typename T>
+std::string range(std::string_view kind, const Permitted<T>& permitted) {
+  const Permitted<T> all;
+  if (permitted.min == all.min && permitted.max == all.max) return std::string{kind};
+  return fmt::format("{} from {} to {}", kind, permitted.min, permitted.max);
 }
 
 bool append_numbers(const TomlArray& array, std::vector<double>& numbers, bool nested) {
@@ -81,10 +47,13 @@ bool append_numbers(const TomlArray& array, std::vector<double>& numbers, bool n
 }  // namespace
 
 void Findings::refuse(ErrorCode code, int line, std::string_view what) {
-  if (error_) return;
-  const std::string place =
-      line > 0 ? fmt::format("{}:{}", file_name_, line) : fmt::format("{} with --set", file_name_);
-  error_ = Error{code, fmt::format("{}: {}", place, what)};
+  const bool misspelt = code == ErrorCode::kUnknownKey && error_ && error_->code == ErrorCode::kMissingKey;
+  if (error_ && !misspelt) return;
+  error_ = Error{code, fmt::format("{}: {}", place(line), what)};
+}
+
+std::string Findings::place(int line) const {
+  return line > 0 ? fmt::format("{}:{}", file_name_, line) : fmt::format("{} with --set", file_name_);
 }
 
 std::vector<std::string> Findings::values() const {
@@ -103,36 +72,40 @@ std::string TableReader::path_of(std::string_view key) const {
   return path_.empty() ? std::string{key} : fmt::format("{}.{}", path_, key);
 }
 
-const TomlNode* TableReader::wanted(std::string_view key, bool required) {
+const TomlNode* TableReader::wanted(std::string_view key, bool required, std::string_view permitted) {
   known_.emplace_back(key);
   const TomlNode* node = find(*table_, key);
   if (node == nullptr && required) {
-    findings_->refuse(ErrorCode::kMissingKey, std::max(line_, 1), fmt::format("{} is missing", path_of(key)));
+    findings_->refuse(ErrorCode::kMissingKey, std::max(line_, 1),
+                      fmt::format("{} is missing: permitted is {}", path_of(key), permitted));
   }
+  if (node != nullptr) findings_->locate(path_of(key), node->line);
   return node;
 }
 
 void TableReader::refuse_value(std::string_view key, const TomlNode& node, std::string_view permitted) {
   findings_->refuse(ErrorCode::kOutOfRange, node.line,
-                    fmt::format("{} = {}: permitted is {}", path_of(key), shown(node), permitted));
+                    fmt::format("{}{}: permitted is {}", path_of(key), shown(node), permitted));
 }
 
 void TableReader::refuse(std::string_view key, std::string_view why) {
   const TomlNode* node = find(*table_, key);
   const int line = node != nullptr ? node->line : std::max(line_, 1);
-  const std::string value = node != nullptr ? fmt::format(" = {}", shown(*node)) : "";
-  findings_->refuse(ErrorCode::kOutOfRange, line, fmt::format("{}{}: {}", path_of(key), value, why));
+  const bool plain = node != nullptr && shown(*node).starts_with(" = ");  // of a table its name says enough
+  findings_->refuse(node != nullptr ? ErrorCode::kOutOfRange : ErrorCode::kMissingKey, line,
+                    fmt::format("{}{}: {}", path_of(key), plain ? shown(*node) : "", why));
 }
 
 double TableReader::number(std::string_view key, Permitted<double> permitted, std::optional<double> otherwise) {
-  const TomlNode* node = wanted(key, !otherwise);
+  const std::string good = range("a number", permitted);
+  const TomlNode* node = wanted(key, !otherwise, good);
   double value = otherwise.value_or(0.0);
   if (node != nullptr) {
     const std::optional<double> found = number_in(*node);
     if (found && *found >= permitted.min && *found <= permitted.max) {
       value = *found;
     } else {
-      refuse_value(key, *node, fmt::format("a number from {} to {}", permitted.min, permitted.max));
+      refuse_value(key, *node, good);
     }
   }
   findings_->note(path_of(key), fmt::format("{}", value));
@@ -141,14 +114,15 @@ double TableReader::number(std::string_view key, Permitted<double> permitted, st
 
 std::int64_t TableReader::integer(std::string_view key, Permitted<std::int64_t> permitted,
                                   std::optional<std::int64_t> otherwise) {
-  const TomlNode* node = wanted(key, !otherwise);
+  const std::string good = range("a whole number", permitted);
+  const TomlNode* node = wanted(key, !otherwise, good);
   std::int64_t value = otherwise.value_or(0);
   if (node != nullptr) {
     const auto* found = std::get_if<std::int64_t>(&node->value);
     if (found != nullptr && *found >= permitted.min && *found <= permitted.max) {
       value = *found;
     } else {
-      refuse_value(key, *node, fmt::format("a whole number from {} to {}", permitted.min, permitted.max));
+      refuse_value(key, *node, good);
     }
   }
   findings_->note(path_of(key), fmt::format("{}", value));
@@ -156,11 +130,12 @@ std::int64_t TableReader::integer(std::string_view key, Permitted<std::int64_t> 
 }
 
 bool TableReader::truth(std::string_view key, std::optional<bool> otherwise) {
-  const TomlNode* node = wanted(key, !otherwise);
+  constexpr std::string_view kPermitted = "true or false";
+  const TomlNode* node = wanted(key, !otherwise, kPermitted);
   bool value = otherwise.value_or(false);
   if (node != nullptr) {
     const auto* found = std::get_if<bool>(&node->value);
-    if (found == nullptr) refuse_value(key, *node, "true or false");
+    if (found == nullptr) refuse_value(key, *node, kPermitted);
     value = found != nullptr && *found;
   }
   findings_->note(path_of(key), value ? "true" : "false");
@@ -168,11 +143,12 @@ bool TableReader::truth(std::string_view key, std::optional<bool> otherwise) {
 }
 
 std::string TableReader::text(std::string_view key, std::optional<std::string_view> otherwise) {
-  const TomlNode* node = wanted(key, !otherwise);
+  constexpr std::string_view kPermitted = "one line of text in quotes";
+  const TomlNode* node = wanted(key, !otherwise, kPermitted);
   std::string value{otherwise.value_or("")};
   if (node != nullptr) {
     std::optional<std::string> found = text_in(*node);
-    if (!found) refuse_value(key, *node, "one line of text in quotes");
+    if (!found) refuse_value(key, *node, kPermitted);
     value = std::move(found).value_or("");
   }
   findings_->note(path_of(key), value);
@@ -186,7 +162,8 @@ std::vector<std::string> TableReader::texts(std::string_view key) {
     for (const TomlNode& item : array != nullptr ? *array : kNoArray) {
       if (std::optional<std::string> text = text_in(item)) values.push_back(*std::move(text));
     }
-    if (array == nullptr || values.size() != array->size()) refuse_value(key, *node, "a list of texts in quotes");
+    if (array == nullptr || values.size() != array->size())
+      refuse_value(key, *node, R"(a list of texts in quotes, as ["a", "b"])");
   }
   findings_->note(path_of(key), fmt::format("[{}]", fmt::join(values, ", ")));
   return values;
@@ -205,13 +182,14 @@ std::optional<UtcSecond> TableReader::time(std::string_view key) {
 
 std::vector<double> TableReader::numbers(std::string_view key, std::size_t count, Permitted<double> permitted) {
   std::vector<double> values;
-  if (const TomlNode* node = wanted(key, true)) {
+  const std::string wanted_numbers = range(fmt::format("{} numbers", count), permitted);
+  if (const TomlNode* node = wanted(key, true, wanted_numbers)) {
     const auto* array = std::get_if<TomlArray>(&node->value);
     const bool good =
         array != nullptr && append_numbers(*array, values, false) && values.size() == count &&
         std::all_of(values.begin(), values.end(), [&](double v) { return v >= permitted.min && v <= permitted.max; });
     if (!good) {
-      refuse_value(key, *node, fmt::format("{} numbers from {} to {}", count, permitted.min, permitted.max));
+      refuse_value(key, *node, wanted_numbers);
       values.clear();
     }
   }
@@ -232,13 +210,13 @@ Vec3 TableReader::vec3(std::string_view key, Permitted<double> permitted) {
 
 std::size_t TableReader::word(std::string_view key, std::span<const std::string_view> words,
                               std::optional<std::size_t> otherwise) {
-  const TomlNode* node = wanted(key, !otherwise);
+  const TomlNode* node = wanted(key, !otherwise, alternatives(words));
   std::size_t index = otherwise.value_or(0);
   if (node != nullptr) {
     const std::optional<std::string> text = text_in(*node);
     const auto found = std::find(words.begin(), words.end(), text.value_or(""));
     if (found == words.end()) {
-      refuse_value(key, *node, fmt::format("\"{}\"", fmt::join(words, "\", \"")));
+      refuse_value(key, *node, alternatives(words));
     } else {
       index = static_cast<std::size_t>(found - words.begin());
     }
@@ -266,7 +244,7 @@ std::vector<TableReader> TableReader::tables(std::string_view key) {
     }
   }
   if (array == nullptr || readers.size() != array->size()) {
-    refuse_value(key, *node, fmt::format("tables [[{}]]", path_of(key)));
+    refuse_value(key, *node, fmt::format("tables, each begun by [[{}]]", path_of(key)));
     readers.clear();
   }
   return readers;
@@ -277,7 +255,7 @@ void TableReader::finish() {
   for (const TomlEntry& entry : *table_) {
     if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
     findings_->refuse(ErrorCode::kUnknownKey, entry.node.line,
-                      fmt::format("unknown key {}{}", path_of(entry.key), hint(entry.key, known_)));
+                      fmt::format("unknown key {}{}", path_of(entry.key), nearest_of(entry.key, known_)));
   }
 }
 

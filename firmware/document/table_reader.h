@@ -30,19 +30,28 @@ class Findings {
  public:
   explicit Findings(std::string file_name) : file_name_(std::move(file_name)) {}
 
-  /// Keeps the first error. `line` 0 stands for the command line.
+  /// Keeps the first error, but a key that nobody knows explains one that is missing. `line` 0 stands for the
+  /// command line.
   void refuse(ErrorCode code, int line, std::string_view what);
   /// Notes a value that was used, default or not.
   void note(std::string_view path, std::string value) { values_.emplace_back(path, std::move(value)); }
 
+  /// Remembers where a key stands.
+  void locate(std::string path, int line) { places_.emplace_back(std::move(path), place(line)); }
+
+  /// "table.key" and "file:line" of each key that was there.
+  [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& places() const { return places_; }
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   /// "table.key = value" for each value used, sorted: the same for every way of writing the same document.
   [[nodiscard]] std::vector<std::string> values() const;
 
  private:
+  [[nodiscard]] std::string place(int line) const;
+
   std::string file_name_;
   std::optional<Error> error_;
   std::vector<std::pair<std::string, std::string>> values_;
+  std::vector<std::pair<std::string, std::string>> places_;
 };
 
 /// One table. Every function names the key; without a default the key is required. After an error the default or a
@@ -83,7 +92,7 @@ class TableReader {
   TableReader table(std::string_view key);
   std::vector<TableReader> tables(std::string_view key);  ///< of [[key]]; absent: none
 
-  /// Refuses a value for a reason that only the caller knows: "key = value: why".
+  /// Refuses a value for a reason that only the caller knows: "key = value: why"; "key: why" for one that is absent.
   void refuse(std::string_view key, std::string_view why);
   /// Leaves what else the table holds unread.
   void allow_other_keys() { others_allowed_ = true; }
@@ -93,7 +102,7 @@ class TableReader {
  private:
   TableReader(Findings& findings, const TomlTable& table, int line, std::string path);
 
-  const TomlNode* wanted(std::string_view key, bool required);
+  const TomlNode* wanted(std::string_view key, bool required, std::string_view permitted = {});
   /// Index into `words`; 0 after an error.
   std::size_t word(std::string_view key, std::span<const std::string_view> words, std::optional<std::size_t> otherwise);
   [[nodiscard]] std::string path_of(std::string_view key) const;

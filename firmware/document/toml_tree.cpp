@@ -79,17 +79,38 @@ std::optional<TomlNode> node_from(const toml::node& node) {
   return std::nullopt;
 }
 
+/// "Error while parsing table header: expected ']'" says the same without its first words.
+std::string_view reason_in(std::string_view description) {
+  constexpr std::string_view kPreamble = "Error while parsing ";
+  if (description.starts_with(kPreamble)) description.remove_prefix(kPreamble.size());
+  return description;
+}
+
+/// Line of the first date or time alone; 0 when there is none.
+int line_of_lone_time(const toml::node& node) {
+  if (node.is_date() || node.is_time()) return line_of(node);
+  int line = 0;
+  const auto look = [&line](const toml::node& inner) {
+    if (line == 0) line = line_of_lone_time(inner);
+  };
+  if (const auto* array = node.as_array()) std::for_each(array->begin(), array->end(), look);
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table) look(value);
+  }
+  return line;
+}
+
 Result<TomlTable> checked_tree(const toml::parse_result& parsed, std::string_view file_name) {
   if (!parsed) {
     return failure(ErrorCode::kMalformed,
                    fmt::format("{}:{}: not TOML: {}", file_name, parsed.error().source().begin.line,
-                               parsed.error().description()));
+                               reason_in(parsed.error().description())));
   }
   std::optional<TomlTable> table = table_from(parsed.table());
   if (table) return *std::move(table);
-  return failure(
-      ErrorCode::kMalformed,
-      fmt::format("{}: a date or time alone; permitted is both together, as 2026-01-31T12:00:00Z", file_name));
+  return failure(ErrorCode::kMalformed,
+                 fmt::format("{}:{}: a date or time alone: permitted is both together, as 2026-01-31T12:00:00Z",
+                             file_name, line_of_lone_time(parsed.table())));
 }
 
 /// The value of an override: TOML when it reads as such, else the text as it stands.

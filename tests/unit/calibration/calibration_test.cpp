@@ -143,7 +143,7 @@ TEST(CalibrationTest, ValuesThatNoCameraHasAreErrors) {
 
 TEST(CalibrationTest, CamerasWithoutABaselineAreAnError) {
   EXPECT_THAT(message_of(with("[-99.6, 0.2, 8.7]", "[0.0, 0.0, 0.0]")),
-              HasSubstr("right_from_left = a table: the lens centres coincide; permitted is"));
+              HasSubstr("right_from_left: the lens centres coincide; permitted is"));
 }
 
 TEST(CalibrationTest, ACovarianceIsReadRowByRow) {

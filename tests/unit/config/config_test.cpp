@@ -39,7 +39,8 @@ TEST(ConfigTest, TheSmallestConfigurationHasTheDocumentedDefaults) {
 }
 
 TEST(ConfigTest, TheWorkingVolumeIsRequired) {
-  EXPECT_EQ(message_of("[cameras]\nsource = \"simulation\"\n"), "demo.toml:1: volume.min_mm is missing");
+  EXPECT_EQ(message_of("[cameras]\nsource = \"simulation\"\n"),
+            "demo.toml:1: volume.min_mm is missing: permitted is 3 numbers from -100000 to 100000");
 }
 
 TEST(ConfigTest, AnUnknownTableIsAnErrorWithTheNearestName) {
@@ -65,6 +66,20 @@ TEST(ConfigTest, TablesOfFeaturesThatDoNotExistAreErrors) {
 
 TEST(ConfigTest, TextThatIsNotTomlNamesItsLine) {
   EXPECT_THAT(message_of("[cameras]\nsource = \n"), HasSubstr("demo.toml:2"));
+}
+
+TEST(ConfigTest, ALoneDateNamesItsLine) {
+  EXPECT_THAT(message_of("[output]\nage_limit_ms = 2026-01-31\n"), HasSubstr("demo.toml:2: a date or time alone"));
+}
+
+TEST(ConfigTest, AnErrorOfANamedFileIsToldWithThePlaceThatNamesIt) {
+  const Error inner{ErrorCode::kCannotRead, "cal.toml: cannot open"};
+  const auto written = parse_config(std::string{kSmallest} + "[calibration]\nfile = \"cal.toml\"\n", "demo.toml", {});
+  EXPECT_EQ(named_by(*written, "calibration.file", inner).message,
+            "demo.toml:7: calibration.file: cal.toml: cannot open");
+  EXPECT_EQ(named_by(*config_with({"calibration.file=cal.toml"}), "calibration.file", inner).message,
+            "/etc/tripoint/demo.toml with --set: calibration.file: cal.toml: cannot open");
+  EXPECT_EQ(named_by(*config_with({}), "target.file", inner).message, "target.file: cal.toml: cannot open");
 }
 
 TEST(ConfigTest, OverridesCountMoreThanTheFile) {

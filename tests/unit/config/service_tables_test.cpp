@@ -44,7 +44,7 @@ TEST(OutputConfigTest, EveryKeyIsRead) {
 }
 
 TEST(OutputConfigTest, TheRobotsFrameNeedsARegistrationThatDoesNotExist) {
-  EXPECT_THAT(message_with({"output.frame=robot_base"}), HasSubstr("permitted is \"reference\", \"left_camera\""));
+  EXPECT_THAT(message_with({"output.frame=robot_base"}), HasSubstr("permitted is \"reference\" or \"left_camera\""));
 }
 
 TEST(ModbusConfigTest, EveryKeyIsRead) {

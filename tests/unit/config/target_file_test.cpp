@@ -91,7 +91,8 @@ TEST(TargetFileTest, PointsDoNotBelongToATargetOfTags) {
 
 TEST(TargetFileTest, UnknownDetectorsFormatsAndKeysAreErrors) {
   EXPECT_THAT(message_of("format = \"tripoint-target/2\"\ndetector = \"led\"\n"), HasSubstr("\"tripoint-target/1\""));
-  EXPECT_THAT(message_of("format = \"tripoint-target/1\"\ndetector = \"laser\"\n"), HasSubstr("\"led\", \"apriltag\""));
+  EXPECT_THAT(message_of("format = \"tripoint-target/1\"\ndetector = \"laser\"\n"),
+              HasSubstr("\"led\" or \"apriltag\""));
   EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + "posiion_mm = 1\n"), HasSubstr("did you mean position_mm?"));
 }
 

@@ -54,7 +54,7 @@ TEST(TableReaderTest, AbsentKeysTakeTheirDefaults) {
 TEST(TableReaderTest, AMissingKeyIsNamedWithItsTable) {
   const Error error = error_of("\n[t]\nb = 1\n", [](TableReader& t) { t.table("t").number("a", {}); });
   EXPECT_EQ(error.code, ErrorCode::kMissingKey);
-  EXPECT_EQ(error.message, "f.toml:2: t.a is missing");
+  EXPECT_EQ(error.message, "f.toml:2: t.a is missing: permitted is a number");
 }
 
 TEST(TableReaderTest, AValueOutOfRangeNamesFileLineKeyAndRange) {
@@ -86,7 +86,7 @@ TEST(TableReaderTest, OtherTypesAreRefusedByNameOfTheRightOne) {
   EXPECT_THAT(message_of("a = 1", [](TableReader& t) { t.texts("a"); }), HasSubstr("list of texts"));
   EXPECT_THAT(message_of("a = [1]", [](TableReader& t) { t.texts("a"); }), HasSubstr("list of texts"));
   EXPECT_THAT(message_of("a = 1", [](TableReader& t) { t.table("a"); }), HasSubstr("a table [a]"));
-  EXPECT_THAT(message_of("a = [1]", [](TableReader& t) { t.tables("a"); }), HasSubstr("tables [[a]]"));
+  EXPECT_THAT(message_of("a = [1]", [](TableReader& t) { t.tables("a"); }), HasSubstr("tables, each begun by [[a]]"));
   EXPECT_THAT(message_of("a = \"x\"", [](TableReader& t) { t.time("a"); }), HasSubstr("date and time"));
 }
 
@@ -110,7 +110,30 @@ TEST(TableReaderTest, AWordMustBeOneOfTheChoices) {
   const auto read = [](TableReader& t) { EXPECT_EQ((t.choice<int>("a", {{"one", 1}, {"two", 2}})), 2); };
   EXPECT_EQ(message_of("a = \"two\"", read), "");
   const auto wrong = [](TableReader& t) { t.choice<int>("a", {{"one", 1}, {"two", 2}}); };
-  EXPECT_EQ(message_of("a = \"three\"", wrong), "f.toml:1: a = \"three\": permitted is \"one\", \"two\"");
+  EXPECT_EQ(message_of("a = \"three\"", wrong), "f.toml:1: a = \"three\": permitted is \"one\" or \"two\"");
+}
+
+TEST(TableReaderTest, ARefusedListIsShownAsItIsWritten) {
+  const auto read = [](TableReader& t) { t.numbers("a", 2, {0.0, 9.0}); };
+  EXPECT_EQ(message_of("a = [1, \"x\", [2]]", read),
+            "f.toml:1: a = [1, \"x\", [2]]: permitted is 2 numbers from 0 to 9");
+  std::string long_list = "a = [1";
+  for (int i = 0; i < 100; ++i) long_list += ", 1";
+  EXPECT_THAT(message_of(long_list + "]", read), HasSubstr("1, ...]: permitted is 2 numbers"));
+}
+
+TEST(TableReaderTest, AMisspeltKeyExplainsTheOneThatIsMissing) {
+  const auto read = [](TableReader& t) {
+    t.number("volume", {});
+    t.finish();
+  };
+  EXPECT_EQ(message_of("volumen = 1", read), "f.toml:1: unknown key volumen (did you mean volume?)");
+}
+
+TEST(TableReaderTest, ATableIsNoValue) {
+  const auto read = [](TableReader& t) { t.number("a", {0.0, 9.0}); };
+  EXPECT_EQ(message_of("[a]", read), "f.toml:1: a is a table: permitted is a number from 0 to 9");
+  EXPECT_EQ(message_of("[[a]]", read), "f.toml:1: a is a list of tables: permitted is a number from 0 to 9");
 }
 
 TEST(TableReaderTest, AnUnknownKeyIsAnErrorWithTheNearestKnownOne) {
