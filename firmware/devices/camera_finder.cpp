@@ -46,7 +46,7 @@ std::optional<FoundCamera> camera_at(V4l2Driver& driver, const fs::path& node_in
   FoundCamera camera;
   camera.node = dev / node_in_sys.filename();
   const Result<V4l2Device> device = V4l2Device::open(driver, camera.node, camera.node.string());
-  if (device ? !captures(*device) : attribute(node_in_sys / "index") != "0") return std::nullopt;
+  if (device ? !captures(*device).value_or(false) : attribute(node_in_sys / "index") != "0") return std::nullopt;
   if (device) camera.formats = formats_offered(*device);
   camera.product = attribute(node_in_sys / "name");
   const std::optional<fs::path> usb = usb_device_of(node_in_sys);

@@ -84,7 +84,11 @@ Result<void> V4l2Buffers::switch_on() {
     if (!given) return given;
   }
   int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  return device_.control(VIDIOC_STREAMON, type, "start streaming");
+  const int started = device_.try_control(VIDIOC_STREAMON, type);
+  if (started == 0) return {};
+  Error error = device_.error(started, "start streaming");
+  if (started == -EIO) error.message += "; no USB transfer mode may be fast enough for the format: ask for less";
+  return tl::make_unexpected(error);
 }
 
 Result<void> V4l2Buffers::give_back(std::uint32_t index) {
@@ -96,6 +100,7 @@ Result<std::optional<FilledBuffer>> V4l2Buffers::newest() {
   std::optional<FilledBuffer> held;
   while (true) {
     const Result<std::optional<FilledBuffer>> taken = take_one();
+    if (!taken && held && taken.error().code == ErrorCode::kCorruptFrame) return held;
     if (!taken) return taken;
     if (!*taken) return held;
     if (held) {

@@ -52,7 +52,7 @@ class V4l2Buffers {
 
   /// Takes the newest filled buffer and gives older ones back to the driver.
   ///
-  /// @return nothing when none is filled; kCorruptFrame when the driver lost one; errors of V4l2Device
+  /// @return nothing when none is filled; kCorruptFrame when the driver lost the only one; errors of V4l2Device
   Result<std::optional<FilledBuffer>> newest();
   /// Lets the driver fill the buffer again.
   Result<void> give_back(std::uint32_t index);

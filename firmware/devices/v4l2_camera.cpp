@@ -30,7 +30,9 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
                                                      const Clock& clock) {
   Result<V4l2Device> device = V4l2Device::open(driver, settings.node, display_name(settings));
   if (!device) return tl::make_unexpected(device.error());
-  if (!captures(*device)) {
+  const Result<bool> able = captures(*device);
+  if (!able) return tl::make_unexpected(able.error());
+  if (!*able) {
     return failure(ErrorCode::kNoSuchFormat, fmt::format("{}: {} delivers no pictures; `tripointd cameras` lists those "
                                                          "that do",
                                                          device->name(), settings.node.string()));
@@ -79,9 +81,12 @@ Result<FilledBuffer> V4l2Camera::wait_for_buffer(Duration limit) {
     if (events < 0) return tl::make_unexpected(device.error(events, "wait for a frame"));
     if (events == 0) break;
     const Result<std::optional<FilledBuffer>> filled = buffers_.newest();
-    if (!filled) return tl::make_unexpected(filled.error());
-    if (*filled) return **filled;
-    if ((events & (POLLERR | POLLHUP | POLLNVAL)) != 0) {
+    const bool broken = (events & (POLLERR | POLLHUP | POLLNVAL)) != 0;
+    if (!filled && !(broken && filled.error().code == ErrorCode::kCorruptFrame)) {
+      return tl::make_unexpected(filled.error());
+    }
+    if (filled && *filled) return **filled;
+    if (broken) {
       return failure(ErrorCode::kDeviceMissing,
                      device.name() + ": unplugged, or its stream broke off; check the cable");
     }
@@ -98,6 +103,12 @@ Result<Frame> V4l2Camera::frame_from(const FilledBuffer& filled) const {
   const std::size_t needed =
       std::max<std::size_t>(1, stride_bytes_ * static_cast<std::size_t>(settings_.size.height_px));
   if (filled.bytes.size() < needed) return corrupt(fmt::format("has {} of {} bytes", filled.bytes.size(), needed));
+  if (!filled.stamp) {
+    return failure(ErrorCode::kDeviceFault,
+                   fmt::format("{}: its driver does not stamp frames by the monotonic clock, so when they were exposed "
+                               "is unknown; use another camera, or another kernel",
+                               info_.name));
+  }
   const TimePoint arrived = clock_.now();
   const StampTiming timing{settings_.stamp_point, info_.exposure, settings_.stamp_latency};
   return Frame{.side = settings_.side,
@@ -106,7 +117,7 @@ Result<Frame> V4l2Camera::frame_from(const FilledBuffer& filled) const {
                .stride_bytes = stride_bytes_,
                .data = filled.bytes,
                .sequence = filled.sequence,
-               .exposed = middle_of_exposure(filled.stamp.value_or(arrived), timing),
+               .exposed = middle_of_exposure(*filled.stamp, timing),
                .arrived = arrived,
                .line_time = settings_.line_time};
 }

@@ -26,7 +26,8 @@ class V4l2Camera final : public Camera {
 
   ~V4l2Camera() override = default;
 
-  /// As Camera says; frames that the driver marked, or that are shorter than their size, are kCorruptFrame.
+  /// As Camera says; frames that the driver marked, or that are shorter than their size, are kCorruptFrame, and stamps
+  /// of another clock than the monotonic one a kDeviceFault.
   Result<Frame> next_frame(Duration limit) override;
   [[nodiscard]] const CameraInfo& info() const override { return info_; }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <optional>
+#include <system_error>
 
 namespace tripoint {
 namespace {
@@ -39,25 +41,39 @@ std::array<Setting, 9> settings_in_order(const V4l2Settings& wanted) {
   }};
 }
 
-bool present(const V4l2Device& device, std::uint32_t id, v4l2_queryctrl& description) {
-  description.id = id;
-  return device.try_control(VIDIOC_QUERYCTRL, description) == 0 && (description.flags & V4L2_CTRL_FLAG_DISABLED) == 0;
+/// What the device says about a control; nothing when it has none.
+Result<std::optional<v4l2_queryctrl>> described(const V4l2Device& device, const Setting& setting) {
+  v4l2_queryctrl description{};
+  description.id = setting.id;
+  const int asked = device.try_control(VIDIOC_QUERYCTRL, description);
+  if (asked == -EINVAL || asked == -ENOTTY) return std::optional<v4l2_queryctrl>{};
+  if (asked < 0) return tl::make_unexpected(device.error(asked, fmt::format("ask for {}", setting.name)));
+  if ((description.flags & V4L2_CTRL_FLAG_DISABLED) != 0) return std::optional<v4l2_queryctrl>{};
+  return description;
 }
 
-/// A value out of range is not an error of its own: what is read back tells.
+/// The camera's own answers to a value that it does not take, as uvcvideo gives them: out of range, invalid, not ready,
+/// in the wrong state, without power. What is read back then tells.
+bool refused(int result) {
+  return result == -ERANGE || result == -EINVAL || result == -EBUSY || result == -EACCES || result == -EILSEQ ||
+         result == -EREMOTE;
+}
+
 Result<void> set(const V4l2Device& device, const Setting& setting, const v4l2_queryctrl& range) {
   v4l2_control control{.id = setting.id, .value = setting.value};
   const int written = device.try_control(VIDIOC_S_CTRL, control);
-  if (written < 0 && written != -ERANGE && written != -EINVAL) {
+  if (written < 0 && !refused(written)) {
     return tl::make_unexpected(device.error(written, fmt::format("set {}", setting.name)));
   }
   control.value = 0;
   const Result<void> read = device.control(VIDIOC_G_CTRL, control, fmt::format("read {}", setting.name));
   if (!read) return read;
   if (written == 0 && control.value == setting.value) return {};
-  return failure(ErrorCode::kControlRefused,
-                 fmt::format("{}: {} wanted {}, got {}; the camera permits {} to {} in steps of {}", device.name(),
-                             setting.name, setting.value, control.value, range.minimum, range.maximum, range.step));
+  const std::string answer = written == 0 ? "" : fmt::format(" ({})", std::generic_category().message(-written));
+  return failure(
+      ErrorCode::kControlRefused,
+      fmt::format("{}: {} wanted {}, got {}{}; the camera permits {} to {} in steps of {}", device.name(), setting.name,
+                  setting.value, control.value, answer, range.minimum, range.maximum, range.step));
 }
 
 }  // namespace
@@ -66,8 +82,9 @@ Result<V4l2Controls> set_controls(const V4l2Device& device, const V4l2Settings& 
   V4l2Controls result;
   result.exposure = exposure_units(settings.exposure) * kExposureUnit;
   for (const Setting& setting : settings_in_order(settings)) {
-    v4l2_queryctrl description{};
-    if (!present(device, setting.id, description)) {
+    const Result<std::optional<v4l2_queryctrl>> description = described(device, setting);
+    if (!description) return tl::make_unexpected(description.error());
+    if (!*description) {
       if (setting.required) {
         return failure(ErrorCode::kControlRefused,
                        fmt::format("{}: has no {}: its exposure cannot be fixed; use another camera", device.name(),
@@ -76,7 +93,7 @@ Result<V4l2Controls> set_controls(const V4l2Device& device, const V4l2Settings& 
       result.missing.emplace_back(setting.name);
       continue;
     }
-    const Result<void> done = set(device, setting, description);
+    const Result<void> done = set(device, setting, **description);
     if (!done) return tl::make_unexpected(done.error());
   }
   return result;

@@ -19,6 +19,7 @@ Error error_from(const std::string& name, int negative_errno, std::string_view w
     case ENODEV:
     case ENOENT:
     case ENXIO:
+    case ESHUTDOWN:
       return say(ErrorCode::kDeviceMissing, "check plug and cable");
     case EBUSY:
       return say(ErrorCode::kDeviceBusy, "another program uses it: end that one (fuser names it)");

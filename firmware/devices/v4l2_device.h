@@ -36,7 +36,8 @@ class V4l2Device {
     return driver_->map(fd_.get(), length, offset);
   }
 
-  /// kDeviceMissing for ENODEV, ENOENT, ENXIO; kDeviceBusy for EBUSY; kNoBandwidth for ENOSPC; else kDeviceFault.
+  /// kDeviceMissing for ENODEV, ENOENT, ENXIO, ESHUTDOWN; kDeviceBusy for EBUSY; kNoBandwidth for ENOSPC; else
+  /// kDeviceFault.
   [[nodiscard]] Error error(int negative_errno, std::string_view what) const;
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -4,6 +4,7 @@
 #include <linux/videodev2.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 
 namespace tripoint {
@@ -74,6 +75,9 @@ tl::unexpected<Error> not_offered(const V4l2Device& device, const V4l2Settings& 
                              offers.empty() ? "nothing" : fmt::format("{}", fmt::join(offers, "; "))));
 }
 
+/// The driver knows the device well, but not this request or these values.
+bool unable(int result) { return result == -EINVAL || result == -ENOTTY; }
+
 Result<V4l2Format> set_pixels(const V4l2Device& device, const V4l2Settings& settings) {
   v4l2_format format{};
   format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -83,11 +87,13 @@ Result<V4l2Format> set_pixels(const V4l2Device& device, const V4l2Settings& sett
   pix.pixelformat = fourcc_of(settings.format);
   pix.field = V4L2_FIELD_NONE;
   const v4l2_pix_format asked = pix;
-  const Result<void> set = device.control(VIDIOC_S_FMT, format, "set the picture format");
-  if (!set) return tl::make_unexpected(set.error());
+  const int set = device.try_control(VIDIOC_S_FMT, format);
+  if (unable(set)) return not_offered(device, settings, "no");
+  if (set < 0) return tl::make_unexpected(device.error(set, "set the picture format"));
   if (pix.width != asked.width || pix.height != asked.height || pix.pixelformat != asked.pixelformat) {
     return not_offered(device, settings, fmt::format("{} {}x{}", text_of(pix.pixelformat), pix.width, pix.height));
   }
+  if (pix.field != V4L2_FIELD_NONE) return not_offered(device, settings, "interlaced pictures");
   if (settings.format == PixelFormat::kMjpeg) return V4l2Format{};
   const std::size_t least = asked.width * bytes_of_pixel(settings.format);
   return V4l2Format{.stride_bytes = std::max<std::size_t>(pix.bytesperline, least)};
@@ -99,8 +105,9 @@ Result<double> set_rate(const V4l2Device& device, const V4l2Settings& settings) 
   parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   parameters.parm.capture.timeperframe = {kThousandths,
                                           static_cast<std::uint32_t>(std::lround(settings.rate_hz * kThousandths))};
-  const Result<void> set = device.control(VIDIOC_S_PARM, parameters, "set the frame rate");
-  if (!set) return tl::make_unexpected(set.error());
+  const int set = device.try_control(VIDIOC_S_PARM, parameters);
+  if (unable(set)) return not_offered(device, settings, "that its rate cannot be set");
+  if (set < 0) return tl::make_unexpected(device.error(set, "set the frame rate"));
   const double rate_hz = rate_of(parameters.parm.capture.timeperframe);
   if (std::abs(rate_hz - settings.rate_hz) > kRateTolerance * settings.rate_hz) {
     return not_offered(device, settings, fmt::format("{:.4g} Hz", rate_hz));
@@ -142,9 +149,11 @@ std::vector<std::string> formats_offered(const V4l2Device& device) {
   return offers;
 }
 
-bool captures(const V4l2Device& device) {
+Result<bool> captures(const V4l2Device& device) {
   v4l2_capability capability{};
-  if (device.try_control(VIDIOC_QUERYCAP, capability) < 0) return false;
+  const int asked = device.try_control(VIDIOC_QUERYCAP, capability);
+  if (unable(asked)) return false;
+  if (asked < 0) return tl::make_unexpected(device.error(asked, "ask what it can do"));
   const bool per_node = (capability.capabilities & V4L2_CAP_DEVICE_CAPS) != 0;
   const std::uint32_t able = per_node ? capability.device_caps : capability.capabilities;
   return (able & V4L2_CAP_VIDEO_CAPTURE) != 0 && (able & V4L2_CAP_STREAMING) != 0;

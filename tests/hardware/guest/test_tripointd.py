@@ -146,16 +146,19 @@ class Line(unittest.TestCase):
         """One frozen picture, and a driver that goes round in four."""
         for count in (1, 4):
             with self.subTest(pictures=count):
-                reopened = self.daemon.log.read_text().count("frozen")
-                self.assertEqual(self.cameras.order(f"freeze {self.stations[0].first} {count}"), "done")
-                eventually("both cameras lost", self.both_lost)
-                eventually("closed", lambda seen=reopened: self.daemon.log.read_text().count("frozen") > seen)
-                heartbeat = self.daemon.reading().heartbeat
-                time.sleep(STANDSTILL_S)
-                later = self.daemon.reading()
-                self.assertEqual((later.heartbeat, later.valid), (heartbeat, False))
+                self.assert_stale_pictures_are_noticed(count)
                 self.show(self.stations[0])
                 self.assert_measures_again()
+
+    def assert_stale_pictures_are_noticed(self, count: int) -> None:
+        noticed = self.daemon.log.read_text().count("frozen")
+        self.assertEqual(self.cameras.order(f"freeze {self.stations[0].first} {count}"), "done")
+        eventually("both cameras lost", self.both_lost)
+        eventually("closed", lambda: self.daemon.log.read_text().count("frozen") > noticed)
+        heartbeat = self.daemon.reading().heartbeat
+        time.sleep(STANDSTILL_S)
+        later = self.daemon.reading()
+        self.assertEqual((later.heartbeat, later.valid), (heartbeat, False))
 
     def test_the_cameras_hold_the_settings_of_the_configuration(self) -> None:
         for side in SIDES:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace tripoint::test {
 namespace {
@@ -89,6 +90,7 @@ int FakeV4l2Driver::set_format(void* argument) {
   pix.width = width;
   pix.height = height;
   pix.pixelformat = fourcc;
+  pix.field = field;
   pix.bytesperline = fourcc == V4L2_PIX_FMT_YUYV ? width * 2 + padding_bytes : 0;
   pix.sizeimage = image_bytes();
   return 0;
@@ -158,9 +160,11 @@ int FakeV4l2Driver::queue(void* argument) {
 }
 
 int FakeV4l2Driver::dequeue(void* argument) {
+  if (std::exchange(lost_, false)) return -EIO;
   if (ready_.empty() || queued_.empty()) return -EAGAIN;
   const FakeFrame frame = ready_.front();
   ready_.pop_front();
+  lost_ = frame.lost_after;
   auto& buffer = as<v4l2_buffer>(argument);
   buffer.index = queued_.front();
   queued_.pop_front();

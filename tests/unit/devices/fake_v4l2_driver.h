@@ -38,6 +38,7 @@ struct FakeFrame {
   bool damaged = false;
   std::int64_t stamp_us = 0;
   bool monotonic = true;
+  bool lost_after = false;  ///< the next DQBUF fails with EIO
 };
 
 /// Frames that become ready during one wait; before them the time that passes.
@@ -62,6 +63,7 @@ class FakeV4l2Driver final : public V4l2Driver {
   std::uint32_t capabilities = 0;  ///< of the node; set to a camera's at construction
   std::uint32_t buffers_given = 4;
   std::uint32_t width = 640, height = 480, fourcc = 0, padding_bytes = 0;  ///< the only format
+  std::uint32_t field = 1;                                                 ///< V4L2_FIELD_NONE: whole pictures
   std::uint32_t rate_numerator = 333'333, rate_denominator = 10'000'000;
   std::map<std::uint32_t, FakeControl> controls;
   std::deque<FakeWait> waits;  ///< after them every wait lasts its whole limit
@@ -89,6 +91,7 @@ class FakeV4l2Driver final : public V4l2Driver {
   std::vector<void*> memory_;
   std::deque<std::uint32_t> queued_;
   std::deque<FakeFrame> ready_;
+  bool lost_ = false;
 };
 
 }  // namespace tripoint::test

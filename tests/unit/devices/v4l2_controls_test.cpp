@@ -14,6 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class V4l2ControlsTest : public testing::Test {
  protected:
@@ -79,6 +80,20 @@ TEST_F(V4l2ControlsTest, AValueThatReadsBackDifferentlyIsRefused) {
 TEST_F(V4l2ControlsTest, AValueOutOfRangeNamesTheRange) {
   settings_.gain = 256;
   EXPECT_THAT(refusal().message, HasSubstr("gain wanted 256, got 255; the camera permits 0 to 255"));
+}
+
+TEST_F(V4l2ControlsTest, ACameraThatIsNotReadyForAControlRefusesIt) {
+  for (const int answer : {-EBUSY, -EACCES, -EILSEQ, -EREMOTE}) {
+    driver_.failures = {{VIDIOC_S_CTRL, answer}};
+    const Error error = refusal();
+    EXPECT_EQ(error.code, ErrorCode::kControlRefused) << error.message;
+    EXPECT_THAT(error.message, AllOf(HasSubstr("exposure_auto wanted 1"), Not(HasSubstr("another program"))));
+  }
+}
+
+TEST_F(V4l2ControlsTest, UnpluggingWhileAskingIsNotAnAbsentControl) {
+  driver_.failures[VIDIOC_QUERYCTRL] = -ENODEV;
+  EXPECT_EQ(refusal().code, ErrorCode::kDeviceMissing);
 }
 
 TEST_F(V4l2ControlsTest, UnpluggingWhileSettingIsAMissingDevice) {

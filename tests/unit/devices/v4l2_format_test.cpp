@@ -76,11 +76,29 @@ TEST_F(V4l2FormatTest, OffersListFormatSizeAndRate) {
 
 TEST_F(V4l2FormatTest, OnlyANodeThatStreamsPicturesCaptures) {
   const auto device = V4l2Device::open(driver_, "/dev/video7", "x");
-  EXPECT_TRUE(captures(*device));
+  EXPECT_TRUE(captures(*device).value());
   driver_.capabilities = V4L2_CAP_META_CAPTURE | V4L2_CAP_STREAMING;
-  EXPECT_FALSE(captures(*device));
+  EXPECT_FALSE(captures(*device).value());
   driver_.failures[VIDIOC_QUERYCAP] = -ENOTTY;
-  EXPECT_FALSE(captures(*device));
+  EXPECT_FALSE(captures(*device).value());
+}
+
+TEST_F(V4l2FormatTest, ADriverThatKnowsNeitherFormatNorRateOffersWhatItHas) {
+  for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_S_PARM}) {
+    for (const int refusal : {-EINVAL, -ENOTTY}) {
+      driver_.failures = {{request, refusal}};
+      const auto format = set();
+      ASSERT_FALSE(format);
+      EXPECT_EQ(format.error().code, ErrorCode::kNoSuchFormat);
+      EXPECT_THAT(format.error().message, HasSubstr("offers: YUYV 640x480"));
+    }
+  }
+}
+
+/// Half of the rows of such a picture are exposed at another time than the other half.
+TEST_F(V4l2FormatTest, InterlacedPicturesAreRefused) {
+  driver_.field = V4L2_FIELD_INTERLACED;
+  EXPECT_THAT(set().error().message, HasSubstr("interlaced"));
 }
 
 TEST(BandwidthTest, TheLoadOfUnpackedPicturesIsComputed) {

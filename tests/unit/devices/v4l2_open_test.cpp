@@ -66,6 +66,22 @@ TEST_F(V4l2OpenTest, ANodeWithoutPicturesIsNoCamera) {
   EXPECT_EQ(refusal().code, ErrorCode::kNoSuchFormat);
 }
 
+TEST_F(V4l2OpenTest, ACameraThatGoesWhileItIsAskedIsAMissingDevice) {
+  EXPECT_EQ(code_when(VIDIOC_QUERYCAP, -ENODEV), ErrorCode::kDeviceMissing);
+  EXPECT_EQ(code_when(VIDIOC_STREAMON, -ESHUTDOWN), ErrorCode::kDeviceMissing);
+}
+
+TEST_F(V4l2OpenTest, ACameraInUseSaysWhoseFaultItIs) {
+  driver_.failures[VIDIOC_REQBUFS] = -EBUSY;
+  EXPECT_THAT(refusal().message, AllOf(HasSubstr("right (usb 1-2"), HasSubstr("another program")));
+}
+
+/// Without a transfer mode that is fast enough uvcvideo gives EIO, not ENOSPC.
+TEST_F(V4l2OpenTest, AStreamThatCannotStartSaysThatItMayBeTooFast) {
+  driver_.failures[VIDIOC_STREAMON] = -EIO;
+  EXPECT_THAT(refusal().message, AllOf(HasSubstr("start streaming"), HasSubstr("ask for less")));
+}
+
 TEST_F(V4l2OpenTest, AFullBusIsExplainedInNumbers) {
   driver_.failures[VIDIOC_STREAMON] = -ENOSPC;
   const Error error = refusal();

@@ -64,10 +64,11 @@ TEST_F(V4l2StreamTest, TheStampBecomesTheMiddleOfTheExposure) {
   EXPECT_EQ(camera_->next_frame(500ms)->exposed, time_from_ns(9'999'000'000) - 1ms - 2ms);
 }
 
-TEST_F(V4l2StreamTest, AStampOfAnotherClockIsReplacedByTheArrival) {
-  will_deliver({{.stamp_us = 1, .monotonic = false}});
-  const auto frame = camera_->next_frame(500ms);
-  EXPECT_EQ(frame->exposed, frame->arrived - 1ms - 2ms);
+TEST_F(V4l2StreamTest, AStampOfAnotherClockIsAFault) {
+  will_deliver({{.stamp_us = 9'999'000, .monotonic = false}});
+  const Error error = refusal();
+  EXPECT_EQ(error.code, ErrorCode::kDeviceFault);
+  EXPECT_THAT(error.message, HasSubstr("monotonic clock"));
 }
 
 TEST_F(V4l2StreamTest, OnlyTheNewestOfSeveralFramesIsHandedOut) {
@@ -127,6 +128,25 @@ TEST_F(V4l2StreamTest, AFrameThatTheDriverLostIsCorrupt) {
   will_deliver({});
   driver_.failures[VIDIOC_DQBUF] = -EIO;
   EXPECT_EQ(refusal().code, ErrorCode::kCorruptFrame);
+}
+
+TEST_F(V4l2StreamTest, AnEmptyFrameIsCorrupt) {
+  will_deliver({{.sequence = 1, .missing_bytes = 1280 * 480}});
+  EXPECT_EQ(refusal().code, ErrorCode::kCorruptFrame);
+}
+
+TEST_F(V4l2StreamTest, AFrameBeforeALostOneIsHandedOutAndItsBufferGoesRound) {
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    will_deliver({{.sequence = i, .lost_after = true}});
+    ASSERT_TRUE(camera_->next_frame(500ms)) << i;
+    ASSERT_EQ(driver_.buffers_with_driver(), 3U);
+  }
+}
+
+TEST_F(V4l2StreamTest, AStreamThatBrokeOffIsNoDamagedFrame) {
+  driver_.waits.push_back({0ms, {}, POLLERR});
+  driver_.failures[VIDIOC_DQBUF] = -EIO;
+  EXPECT_EQ(refusal().code, ErrorCode::kDeviceMissing);
 }
 
 TEST_F(V4l2StreamTest, UnpluggingIsAMissingDevice) {
