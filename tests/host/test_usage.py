@@ -62,3 +62,9 @@ def test_a_closed_pipe_ends_quietly() -> None:
             program.stdout.close()
             assert program.stderr.read() == ""
     assert program.returncode == ExitCode.INTERRUPTED
+
+
+@pytest.mark.parametrize("command", [(), ("status",), ("watch",), ("plc",), ("plc", "probe"), ("simulate",), ("demo",)])
+def test_every_help_has_an_example(command: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([*command, "--help"]) == ExitCode.PASS
+    assert "Example: host-tool " in capsys.readouterr().out

@@ -21,7 +21,7 @@ from host_tool.diagnostics.plc_probe import (
 from host_tool.errors import ExitCode
 
 
-@click.group()
+@click.group(epilog="Example: host-tool plc probe --word-order cdab")
 def plc() -> None:
     """Prove that a PLC or robot controller reads right."""
 
