@@ -1,4 +1,4 @@
-"""Instructions that a program executes in one function, counted by callgrind: the same on every machine and every day."""
+"""Instructions that a program executes in one function, counted by callgrind: the same on every day."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def in_function(pattern: str, program: Path, *arguments: str) -> float:
         run = subprocess.run(
             ["valgrind", "--tool=callgrind", f"--callgrind-out-file={counts}", f"--toggle-collect={pattern}",
              program, *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False, text=True,
+            capture_output=True, check=False, text=True,
         )  # fmt: skip
         if run.returncode != 0:
             raise RuntimeError(f"{program.name} failed under callgrind:\n{run.stderr}")

@@ -23,26 +23,44 @@ std::uint8_t largest_v_of_cell(const Picture& picture, int column, int row) {
   return largest;
 }
 
-template <int kRows>
-Bytes16 largest_of_rows(const std::uint8_t* first, std::size_t stride) {
-  static_assert(kRows == 4 || kRows == 8);
-  const Bytes16 a = larger(loaded<Bytes16>(first), loaded<Bytes16>(first + stride));
-  const Bytes16 b = larger(loaded<Bytes16>(first + 2 * stride), loaded<Bytes16>(first + 3 * stride));
-  if constexpr (kRows == 4) return larger(a, b);
-  const Bytes16 c = larger(loaded<Bytes16>(first + 4 * stride), loaded<Bytes16>(first + 5 * stride));
-  const Bytes16 d = larger(loaded<Bytes16>(first + 6 * stride), loaded<Bytes16>(first + 7 * stride));
-  return larger(larger(a, b), larger(c, d));
+/// Where the rows of a row of cells begin.
+template <std::size_t kRows>
+using RowStarts = std::array<const std::uint8_t*, kRows>;
+
+template <std::size_t kRows>
+RowStarts<kRows> row_starts(const Plane& plane, int first_row) {
+  RowStarts<kRows> starts{};
+  for (std::size_t k = 0; k < kRows; ++k) {
+    starts[k] = plane.data + (static_cast<std::size_t>(first_row) + k) * plane.stride_bytes;
+  }
+  return starts;
+}
+
+/// With every row at a multiple of 16 bytes, as in a driver's buffers, a load and a maximum are one instruction.
+enum class Align : bool { kSixteen, kAny };
+
+template <std::size_t kRows, Align kAlign = Align::kAny>
+Bytes16 largest_of_rows(const RowStarts<kRows>& starts, std::size_t offset) {
+  const auto row = [&](std::size_t k) {
+    const std::uint8_t* from = starts[k] + offset;
+    if constexpr (kAlign == Align::kSixteen) return loaded<Bytes16>(__builtin_assume_aligned(from, 16));
+    return loaded<Bytes16>(from);
+  };
+  Bytes16 largest = row(0);
+  for (std::size_t k = 1; k < kRows; ++k) largest = larger(largest, row(k));
+  return largest;
 }
 
 /// Eight rows are eight streams, too many for the hardware to foresee: the next row of cells is fetched meanwhile.
-void fetch(const std::uint8_t* first, std::size_t stride) {
-  for (std::size_t row = 0; row < 8; ++row) __builtin_prefetch(first + row * stride);
+void fetch(const RowStarts<8>& starts, std::size_t offset) {
+  for (const std::uint8_t* start : starts) __builtin_prefetch(start + offset);
 }
 
 /// Four cells of YUYV: 16 bytes (Y U Y V four times) by 8 rows each.
-std::uint32_t four_cells_of_yuyv(const std::uint8_t* first, std::size_t stride) {
+template <Align kAlign>
+std::uint32_t four_cells_of_yuyv(const RowStarts<8>& starts, std::size_t offset) {
   const auto v_of = [&](std::size_t cell) {
-    return reinterpret_cast<Words4>(largest_of_rows<8>(first + 16 * cell, stride));
+    return reinterpret_cast<Words4>(largest_of_rows<8, kAlign>(starts, offset + 16 * cell));
   };
   const Words4 packed =
       (v_of(0) >> 24U) | ((v_of(1) >> 16U) & 0xFF00U) | ((v_of(2) >> 8U) & 0xFF'0000U) | (v_of(3) & 0xFF00'0000U);
@@ -54,16 +72,16 @@ std::uint32_t four_cells_of_yuyv(const std::uint8_t* first, std::size_t stride) 
 }
 
 /// Four cells of a V plane: 4 bytes each.
-template <int kRows>
-std::uint32_t four_cells_of_plane(const std::uint8_t* first, std::size_t stride) {
-  Bytes16 m = largest_of_rows<kRows>(first, stride);
+template <std::size_t kRows>
+std::uint32_t four_cells_of_plane(const RowStarts<kRows>& starts, std::size_t offset) {
+  Bytes16 m = largest_of_rows(starts, offset);
   m = larger(m, reinterpret_cast<Bytes16>(reinterpret_cast<Words4>(m) >> 16U));
   m = larger(m, reinterpret_cast<Bytes16>(reinterpret_cast<Words4>(m) >> 8U));
   const Bytes16 packed = __builtin_shufflevector(m, m, 0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12);
   return reinterpret_cast<Words4>(packed)[0];
 }
 
-/// One row of cells; `four` gives four whole cells from the first byte of their upper left corner.
+/// One row of cells; `four` gives four whole cells from their first column on.
 template <typename Four>
 void fill_row(CellMap& map, const Picture& picture, int row, Four four) {
   std::uint8_t* cells = map.row(row);
@@ -77,22 +95,36 @@ void fill_row(CellMap& map, const Picture& picture, int row, Four four) {
   for (; column < map.columns(); ++column) cells[column] = largest_v_of_cell(picture, column, row);
 }
 
+template <Align kAlign>
+void read_row_of_yuyv(CellMap& map, const Picture& picture, int row) {
+  const auto starts = row_starts<8>(picture.luma, row * CoarseMap::kCellPx);
+  const bool last = row + 2 > picture.size.height_px / CoarseMap::kCellPx;
+  const std::size_t ahead = last ? 0 : CoarseMap::kCellPx * picture.luma.stride_bytes;
+  fill_row(map, picture, row, [&](int column) {
+    const std::size_t offset = 16 * static_cast<std::size_t>(column);
+    fetch(starts, offset + ahead);
+    return four_cells_of_yuyv<kAlign>(starts, offset);
+  });
+}
+
+template <std::size_t kRows>
+void read_row_of_plane(CellMap& map, const Picture& picture, int row) {
+  const auto starts = row_starts<kRows>(picture.v, row * static_cast<int>(kRows));
+  fill_row(map, picture, row,
+           [&](int column) { return four_cells_of_plane(starts, 4 * static_cast<std::size_t>(column)); });
+}
+
+bool rows_aligned(const Plane& plane) {
+  return ((reinterpret_cast<std::uintptr_t>(plane.data) | plane.stride_bytes) & 15U) == 0;
+}
+
 void read_row(CellMap& map, const Picture& picture, int row) {
-  const auto y = static_cast<std::size_t>(row) * CoarseMap::kCellPx;
-  const std::size_t stride = picture.v.stride_bytes;
-  if (picture.interleaved_yuyv) {
-    const std::uint8_t* first = picture.luma.data + y * stride;
-    const std::size_t ahead = row + 2 <= picture.size.height_px / CoarseMap::kCellPx ? 8 * stride : 0;
-    fill_row(map, picture, row, [&](int column) {
-      fetch(first + ahead + 16 * column, stride);
-      return four_cells_of_yuyv(first + 16 * column, stride);
-    });
-  } else if (picture.chroma_rows_halved) {
-    const std::uint8_t* first = picture.v.data + y / 2 * stride;
-    fill_row(map, picture, row, [&](int column) { return four_cells_of_plane<4>(first + 4 * column, stride); });
+  if (!picture.interleaved_yuyv) {
+    picture.chroma_rows_halved ? read_row_of_plane<4>(map, picture, row) : read_row_of_plane<8>(map, picture, row);
+  } else if (rows_aligned(picture.luma)) {
+    read_row_of_yuyv<Align::kSixteen>(map, picture, row);
   } else {
-    const std::uint8_t* first = picture.v.data + y * stride;
-    fill_row(map, picture, row, [&](int column) { return four_cells_of_plane<8>(first + 4 * column, stride); });
+    read_row_of_yuyv<Align::kAny>(map, picture, row);
   }
 }
 

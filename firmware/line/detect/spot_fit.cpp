@@ -137,11 +137,13 @@ SpotModel stepped(const SpotModel& model, const Vector5& scaled_step) {
           .background = model.background + scaled_step(3)};
 }
 
+using Solver = Eigen::LDLT<Matrix5>;
+
 /// What the normal equations at a place next to the minimum say of the minimum: they differ only in the residuals, and
 /// there by what the step to it, times the gradient, takes off the sum of squares.
-std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model, const Vector5& scaled_step) {
-  const Eigen::LDLT<Matrix5> solver(normal.matrix);
-  if (normal.pixels < kFewestPixels || !solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
+std::optional<SpotFit> fit_from(const Normal& normal, const Solver& solver, const SpotModel& model,
+                                const Vector5& scaled_step) {
+  if (!solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
   Matrix2 inverse;
   inverse << solver.solve(Vector5::Unit(0)).head<2>(), solver.solve(Vector5::Unit(1)).head<2>();
   const double squares = std::max(0.0, normal.squares - scaled_step.dot(normal.gradient));
@@ -154,6 +156,14 @@ std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model, co
               .pixels = static_cast<int>(normal.pixels)};
   if (!fit.covariance_px2.allFinite()) return std::nullopt;
   return fit;
+}
+
+/// A trace of damping keeps a step finite where hardly a pixel shows; it takes a thousandth off the covariance.
+Solver damped(const Normal& normal) {
+  Matrix5 matrix = normal.matrix;
+  matrix.diagonal() *= 1.0 + kDamping;
+  matrix.diagonal().array() += 1e-9;
+  return Solver(matrix);
 }
 
 /// Moments of what rises above a threshold, row by row.
@@ -240,20 +250,18 @@ SpotModel threshold_subtracted_start(const FitWindow& window, double background)
 
 std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start, double settled_px) {
   SpotModel model = start;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 1;; ++step) {
     const Normal normal = normal_equations(window, model);
     if (normal.pixels < kFewestPixels) return std::nullopt;
-    Matrix5 damped = normal.matrix;
-    damped.diagonal() *= 1.0 + kDamping;
-    damped.diagonal().array() += 1e-9;
-    const Vector5 scaled_step = damped.ldlt().solve(normal.gradient);
+    const Solver solver = damped(normal);
+    const Vector5 scaled_step = solver.solve(normal.gradient);
     if (!scaled_step.allFinite()) return std::nullopt;
     const double moved_px =
         std::max(scaled_step.head<2>().cwiseAbs().maxCoeff(), std::abs(scaled_step(4))) / model.amplitude;
+    if (step > kMaxSteps) return fit_from(normal, solver, model, Vector5::Zero());
     model = stepped(model, scaled_step);
-    if (moved_px < settled_px) return fit_from(normal, model, scaled_step);
+    if (moved_px < settled_px) return fit_from(normal, solver, model, scaled_step);
   }
-  return fit_from(normal_equations(window, model), model, Vector5::Zero());
 }
 
 }  // namespace tripoint
