@@ -32,8 +32,8 @@ CLIENT = """\
    application's limits. Where the rig stands free or the calibration must be verified: mask 16#621C = 16#600C.
    A new sample is a sequence other than the last (compare for unequal, it wraps).
 4. Own timer: heartbeat unchanged for 500 ms is a communication fault, whatever the bits say. This also catches a
-   gateway or proxy that answers from its cache. A new sequence is no heartbeat: a lost or returned camera, or stamps that
-   cannot be joined, publish a sequence without a step of it.
+   gateway or proxy that answers from its cache. A new sequence is no heartbeat: a lost or returned camera, or stamps
+   that cannot be joined, publish a sequence without a step of it.
 5. Test the bits before touching a value: NaN in a comparison stops a TwinCAT runtime by default. There, or without
    64-bit integers, use the integer block and its age.
 6. k = 2 holds per axis (95 %); all three at once 87 %.

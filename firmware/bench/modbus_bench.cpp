@@ -34,7 +34,7 @@ UnitState state_of(std::uint32_t sequence, TimePoint epoch) {
   measurement.exposed = epoch + Duration{kExposureStep_ns * sequence};
   const double x_mm = 1e-3 * (sequence % 1'000'000);
   measurement.pose = TargetPose{Vec3(x_mm, -x_mm, 500.0 + x_mm), std::nullopt, Matrix6::Zero(), Matrix6::Zero()};
-  state.newest = PublishedMeasurement{measurement, Duration{0} - epoch.time_since_epoch(), measurement.exposed};
+  state.newest = PublishedMeasurement{measurement, Duration{0} - epoch.time_since_epoch()};
   return state;
 }
 

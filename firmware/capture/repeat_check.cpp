@@ -55,7 +55,7 @@ std::uint64_t hash_of(const Picture& picture) {
 
 bool RepeatCheck::repeats(const Picture& picture) {
   const std::uint64_t hash = hash_of(picture);
-  const auto found = std::ranges::find(seen_, hash);
+  auto* const found = std::ranges::find(seen_, hash);
   const bool repeated = found != seen_.end();
   std::rotate(seen_.begin(), repeated ? found : seen_.end() - 1, repeated ? found + 1 : seen_.end());
   seen_.front() = hash;
