@@ -22,7 +22,7 @@ UnitState state() {
   measurement.exposed = time_from_ns(1'000'000'000);
   measurement.pose = TargetPose{};
   measurement.points.push_back(MeasuredPoint{});
-  unit.newest = PublishedMeasurement{measurement, Duration{0}, measurement.exposed};
+  unit.newest = PublishedMeasurement{measurement, Duration{0}};
   unit.pose_since_start = true;
   return unit;
 }
