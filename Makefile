@@ -56,6 +56,7 @@ fuzz: setup ## fuzz every outside door for FUZZ_SECONDS each
 
 .PHONY: bench
 bench: build ## measure the figures of the product; writes build/bench.json
+	@deploy/dev/install bench
 	@cmake --build build/release -j $(JOBS) >build/build-bench.log || { tail -n 40 build/build-bench.log; exit 1; }
 	@$(RUN)/python firmware/bench/run.py build/release/bin build/bench.json
 
