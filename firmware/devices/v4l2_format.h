@@ -16,9 +16,8 @@ struct V4l2Format {
   double rate_hz = 0.0;
 };
 
-/// @return kNoSuchFormat, naming what the camera offers, when it refuses, or answers with anything else than was asked
-/// for (2 % of
-///   the rate aside) or with interlaced pictures; errors of V4l2Device
+/// @return kNoSuchFormat, naming what the camera offers, when it refuses or answers with interlaced pictures or
+///         anything else than was asked for (2 % of the rate aside); errors of V4l2Device
 Result<V4l2Format> set_format(const V4l2Device& device, const V4l2Settings& settings);
 
 /// "YUYV 640x480 at 30, 15 Hz", one entry for each format and size.
