@@ -37,7 +37,9 @@ Latch requested(const Latch& latch, TimePoint at);
 /// Time passes: a request that waited longer than kLatchWait has failed.
 Latch expired(const Latch& latch, TimePoint now);
 
-/// The unit publishes: a waiting latch takes the pose when all of its pictures began to be exposed after the request.
+/// The unit publishes: a waiting latch takes the pose when all of its pictures began to be exposed after the request,
+/// by more than twice the standard deviation of the offset between the cameras' stamps. A latency that both cameras
+/// have in common is not in that number.
 Latch filled(const Latch& latch, const UnitState& state);
 
 }  // namespace tripoint

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "serve/image.h"
 #include "states.h"
 
@@ -23,6 +25,22 @@ TEST(LatchTest, TakesAPoseOnlyWhenAllPicturesBeganAfterTheRequest) {
   const UnitState state = unit_state();
   EXPECT_EQ(filled(requested(Latch{}, kBegan), state).outcome, LatchOutcome::kWaiting);
   EXPECT_EQ(filled(requested(Latch{}, kBegan - Duration{1}), state).outcome, LatchOutcome::kFilled);
+}
+
+TEST(LatchTest, TakesNoPoseThatByItsStampsUncertaintyMayHaveBegunBeforeTheRequest) {
+  Measurement measurement = position_measurement();
+  measurement.timing.skew_sigma_s = 0.010;  // k = 2: 20 ms
+  const UnitState state = unit_state(measurement);
+  EXPECT_EQ(filled(requested(Latch{}, kBegan - milliseconds(20)), state).outcome, LatchOutcome::kWaiting);
+  EXPECT_EQ(filled(requested(Latch{}, kBegan - milliseconds(20) - Duration{1}), state).outcome, LatchOutcome::kFilled);
+}
+
+TEST(LatchTest, TakesNoPoseWhoseStampsNobodyKnows) {
+  for (const double sigma_s : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Measurement measurement = position_measurement();
+    measurement.timing.skew_sigma_s = sigma_s;
+    EXPECT_EQ(filled(requested(Latch{}, time_from_ns(0)), unit_state(measurement)).outcome, LatchOutcome::kWaiting);
+  }
 }
 
 TEST(LatchTest, TakesTheFirstPoseAndKeepsIt) {
