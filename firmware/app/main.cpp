@@ -29,7 +29,7 @@ bool processor_is_supported() {
 struct Arguments {
   std::filesystem::path config;
   std::vector<std::string> overrides;
-  std::vector<std::filesystem::path> images;
+  DetectOptions detect;
   std::string detector = "led";
   bool json = false;
   ReplayOptions replay;
@@ -71,19 +71,24 @@ void describe_running(CLI::App& app, Arguments& arguments) {
 }
 
 void describe_pictures(CLI::App& app, Arguments& arguments) {
+  DetectOptions& options = arguments.detect;
   CLI::App* detect =
       app.add_subcommand("detect", "Prints the red LEDs that the detector finds in pictures, one JSON line each.");
-  detect->add_option("images", arguments.images, "JPEG or PNG files")->type_name("IMAGE")->required();
+  detect->add_option("images", options.images, "JPEG or PNG files")->type_name("IMAGE")->required();
   detect->add_option("--detector", arguments.detector, "what to look for")
       ->type_name("NAME")
       ->check(CLI::IsMember({"led"}))
       ->capture_default_str();
-  detect->add_option("--config", arguments.config, "configuration file, for its [detector]; default: all defaults")
+  detect->add_option("--config", options.config, "configuration file, for its [detector]; default: all defaults")
       ->type_name("FILE");
+  detect
+      ->add_option("--explain", options.explain,
+                   "writes FOLDER/NAME.explain.png for each image: everything looked at, kept or dropped, and why")
+      ->type_name("FOLDER");
   detect->add_flag("--json", arguments.json, "JSON lines: the only format, also without this");
   detect->footer(
       "u_px, v_px: pixel centres are integers; covariance in px^2; peak is luma, 0 to 255.\n\n"
-      "Example: tripointd detect left.png right.png --json");
+      "Example: tripointd detect left.png right.png --explain why --json");
 }
 
 void describe_replay(CLI::App& app, Arguments& arguments) {
@@ -119,10 +124,28 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("run")) return run_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("check-config")) return check_config_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("cameras")) return cameras_command(arguments.json);
-  if (app.got_subcommand("detect")) return detect_command(arguments.images, arguments.config);
+  if (app.got_subcommand("detect")) return detect_command(arguments.detect);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);
   fmt::print("tripointd {}\n", version_text());
   return number(ExitCode::kWell);
+}
+
+/// What is wrong with the command line, in one line. A word in the place of the subcommand is named, with all there
+/// are: CLI11 itself only says that a subcommand is required.
+std::string refusal(const CLI::App* app, const CLI::Error& error) {
+  const std::vector<CLI::App*> chosen = app->get_subcommands();
+  if (!chosen.empty()) {
+    const std::string& command = chosen.front()->get_name();
+    return fmt::format("tripointd {0}: {1}; `tripointd {0} --help` lists what it takes\n", command, error.what());
+  }
+  std::string known;
+  for (const CLI::App* command : app->get_subcommands(nullptr)) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", command->get_name());
+  }
+  const std::vector<std::string> unknown = app->remaining();
+  const std::string what =
+      unknown.empty() ? "a subcommand is missing" : fmt::format("'{}' is no subcommand", unknown.front());
+  return fmt::format("tripointd: {}: write one of {}; `tripointd --help` explains them\n", what, known);
 }
 
 int run_program(int argc, char** argv) {
@@ -130,6 +153,7 @@ int run_program(int argc, char** argv) {
                "tripointd");
   Arguments arguments;
   describe(app, arguments);
+  app.failure_message(refusal);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

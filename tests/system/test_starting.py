@@ -86,6 +86,21 @@ def test_a_wrong_command_line_is_a_usage_error(arguments: tuple[str, ...]) -> No
     assert finished(*arguments).returncode == 2
 
 
+def test_an_unknown_subcommand_is_named_with_those_there_are() -> None:
+    refused = finished("measure", "--config", str(CONFIG))
+    assert refused.returncode == 2
+    assert refused.stderr == (
+        "tripointd: 'measure' is no subcommand: write one of run, check-config, cameras, detect, replay, version; "
+        "`tripointd --help` explains them\n"
+    )
+
+
+def test_a_missing_option_is_named_with_its_subcommand() -> None:
+    refused = finished("run")
+    assert refused.returncode == 2
+    assert refused.stderr.startswith("tripointd run: --config is required;")
+
+
 def test_the_version_is_told() -> None:
     told = finished("version")
     assert told.returncode == 0
