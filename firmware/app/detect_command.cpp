@@ -3,10 +3,16 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "app/detector_settings.h"
 #include "app/exit_code.h"
+#include "app/explanation_folder.h"
 #include "capture/image_file.h"
+#include "explain/explanation.h"
+#include "explain/png_encoder.h"
+#include "explain/why.h"
 #include "line/detect/led_detector.h"
 
 namespace tripoint {
@@ -24,31 +30,89 @@ ordered_json as_json(const ImagePoint& point) {
           {"saturated", point.saturated}};
 }
 
-ordered_json detected(const std::filesystem::path& image, LedDetector& detector) {
-  const Result<LoadedImage> loaded = LoadedImage::load(image);
-  if (!loaded) return {{"image", image.string()}, {"error", loaded.error().message}};
-  ordered_json points = ordered_json::array();
-  if (loaded->picture().v.data != nullptr) {  // a grey picture shows no red light
-    for (const ImagePoint& point : detector.detect(loaded->picture(), Forecast{}).points) {
-      points.push_back(as_json(point));
+ordered_json as_json(const CandidateLog& log, const LedDetectorSettings& settings, int width_px) {
+  ordered_json candidates = ordered_json::array();
+  for (const Candidate& candidate : log) {
+    candidates.push_back({{"number", candidates.size() + 1},
+                          {"cause", name(candidate.cause)},
+                          {"u_px", candidate.at.u_px},
+                          {"v_px", candidate.at.v_px},
+                          {"why", why(candidate, settings, width_px)}});
+  }
+  return candidates;
+}
+
+Result<std::filesystem::path> write_explanation(const Explained& explained, const std::filesystem::path& image,
+                                                ExplanationFolder& folder) {
+  return png_of(explanation_of(explained, image.filename().string())).and_then([&](const std::string& png) {
+    return folder.write(image, png);
+  });
+}
+
+/// Looks at one image after the other.
+class PictureReader {
+ public:
+  PictureReader(const LedDetectorSettings& settings, std::optional<ExplanationFolder> folder)
+      : settings_(settings), detector_(settings), folder_(std::move(folder)) {}
+
+  ordered_json line_for(const std::filesystem::path& image) {
+    const Result<LoadedImage> loaded = LoadedImage::load(image);
+    if (!loaded) {
+      code_ = number(ExitCode::kUsage);
+      return {{"image", image.string()}, {"error", loaded.error().message}};
+    }
+    const Picture& picture = loaded->picture();
+    const bool coloured = picture.v.data != nullptr;  // a grey picture shows no red light
+    const Detection detection = coloured ? detector_.detect(picture, Forecast{}) : Detection{};
+    ordered_json points = ordered_json::array();
+    for (const ImagePoint& point : detection.points) points.push_back(as_json(point));
+    ordered_json line = {{"image", image.string()}, {"points", points}};
+    if (folder_) {
+      const CandidateLog log = coloured ? detector_.candidates() : CandidateLog{};
+      explain({.picture = picture, .log = log, .detection = detection, .settings = settings_}, image, line);
+    }
+    return line;
+  }
+
+  /// How the program ends after all that was read.
+  [[nodiscard]] int code() const { return code_; }
+
+ private:
+  void explain(const Explained& explained, const std::filesystem::path& image, ordered_json& line) {
+    line["candidates"] = as_json(explained.log, settings_, explained.picture.size.width_px);
+    const auto written = write_explanation(explained, image, *folder_);
+    if (written) {
+      line["explanation"] = written->string();
+    } else {
+      code_ = report(written.error());
     }
   }
-  return {{"image", image.string()}, {"points", points}};
+
+  LedDetectorSettings settings_;
+  LedDetector detector_;
+  std::optional<ExplanationFolder> folder_;
+  int code_ = number(ExitCode::kWell);
+};
+
+Result<std::optional<ExplanationFolder>> folder_of(const DetectOptions& options) {
+  if (options.explain.empty()) return std::nullopt;
+  return ExplanationFolder::open(options.explain, options.images).map([](ExplanationFolder folder) {
+    return std::optional<ExplanationFolder>(std::move(folder));
+  });
 }
 
 }  // namespace
 
-int detect_command(const std::vector<std::filesystem::path>& images, const std::filesystem::path& config) {
-  const Result<Config> loaded = config.empty() ? Result<Config>(Config{}) : load_config(config, {});
-  if (!loaded) return report(loaded.error());
-  LedDetector detector(led_detector_settings(loaded->detector));
-  bool all_read = true;
-  for (const std::filesystem::path& image : images) {
-    const ordered_json line = detected(image, detector);
-    all_read = all_read && !line.contains("error");
-    fmt::print("{}\n", line.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+int detect_command(const DetectOptions& options) {
+  const Result<Config> config = options.config.empty() ? Result<Config>(Config{}) : load_config(options.config, {});
+  if (!config) return report(config.error());
+  Result<std::optional<ExplanationFolder>> folder = folder_of(options);
+  if (!folder) return report(folder.error());
+  PictureReader reader(led_detector_settings(config->detector), std::move(*folder));
+  for (const std::filesystem::path& image : options.images) {
+    fmt::print("{}\n", reader.line_for(image).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
   }
-  return number(all_read ? ExitCode::kWell : ExitCode::kUsage);
+  return reader.code();
 }
 
 }  // namespace tripoint

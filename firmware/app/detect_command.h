@@ -6,10 +6,16 @@
 
 namespace tripoint {
 
-/// Prints one JSON line for each image: its points, or why it cannot be read.
+struct DetectOptions {
+  std::vector<std::filesystem::path> images;
+  std::filesystem::path config;   ///< gives [detector]; empty: the defaults
+  std::filesystem::path explain;  ///< folder for an image of each picture that shows why; empty: none
+};
+
+/// Prints one JSON line for each image: its points, or why it cannot be read. With `explain` also every candidate, and
+/// where its image was written.
 ///
-/// @param config  gives [detector]; empty: the defaults
-/// @return 0, or 2 when the configuration is wrong or any image could not be decoded
-int detect_command(const std::vector<std::filesystem::path>& images, const std::filesystem::path& config);
+/// @return 0, or 2 when the configuration is wrong, any image could not be decoded or any explanation not be written
+int detect_command(const DetectOptions& options);
 
 }  // namespace tripoint

@@ -30,6 +30,7 @@ ALLOWED: dict[str, set[str]] = {
     "config": {"values", "geometry", "document"},
     "devices": {"values", "geometry", "ports"},
     "sim": {"values", "geometry", "ports"},
+    "explain": {"values", "ports", "line/detect", "line-values"},
     "recording": {"values", "geometry", "ports", "line-values", "document", "capture"},
     "serve": {"values", "geometry", "line-values", "calibration", "config"},
     "net": {"values", "serve"},

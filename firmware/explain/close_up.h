@@ -1,0 +1,17 @@
+// A few pixels of the picture, large, around one candidate, and what was measured there.
+#pragma once
+
+#include "explain/finding.h"
+#include "explain/rgb_image.h"
+#include "line/detect/settings.h"
+
+namespace tripoint {
+
+inline constexpr ImageSize kCloseUpSize{200, 264};
+
+/// Eight times as large as the picture; four or two times for spots that would not fit and for surfaces.
+///
+/// @param picture  in its own size; the levels are shown as they are
+RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const LedDetectorSettings& settings);
+
+}  // namespace tripoint

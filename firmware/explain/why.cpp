@@ -1,0 +1,99 @@
+#include "explain/why.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace tripoint {
+namespace {
+
+/// A gate that holds one measured value against one limit.
+struct Comparison {
+  DropCause cause = DropCause::kKept;
+  std::string_view what;
+  float Candidate::*measured = nullptr;
+  double limit = 0.0;
+  int decimals = 0;
+};
+
+std::array<Comparison, 9> comparisons_of(const LedDetectorSettings& settings) {
+  return {{{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(settings.min_peak), 0},
+           {DropCause::kNoContrast, "contrast", &Candidate::contrast, static_cast<double>(settings.min_contrast), 0},
+           {DropCause::kElongated, "aspect", &Candidate::aspect, settings.max_aspect, 2},
+           {DropCause::kCrowded, "bright around", &Candidate::crowding, settings.max_crowding, 2},
+           {DropCause::kNotRedder, "red step", &Candidate::red_step, static_cast<double>(settings.min_red_step), 0},
+           {DropCause::kNotRed, "redness", &Candidate::redness, settings.min_redness, 2},
+           {DropCause::kNotEmitting, "emission", &Candidate::emission, settings.min_emission, 2},
+           {DropCause::kPoorFit, "residual", &Candidate::residual, settings.max_residual, 2},
+           {DropCause::kWeak, "amplitude", &Candidate::amplitude, settings.min_amplitude, 0}}};
+}
+
+/// So many decimals that a value beside its limit does not read as the limit itself.
+std::string compared(std::string_view what, double measured, double limit, int decimals) {
+  constexpr int kMostDecimals = 4;
+  const std::string shown_limit = fmt::format("{:.{}f}", limit, decimals);
+  std::string shown = fmt::format("{:.{}f}", measured, decimals);
+  for (int more = decimals + 1; shown == shown_limit && more <= kMostDecimals; ++more) {
+    shown = fmt::format("{:.{}f}", measured, more);
+  }
+  return fmt::format("{} {} {} {}", what, shown, measured < limit ? '<' : '>', shown_limit);
+}
+
+std::string of_size(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
+  const double largest_px = std::max(settings.max_sigma_px, settings.max_sigma_of_width * width_px);
+  const auto sigma_px = static_cast<double>(candidate.sigma_px);
+  return compared("sigma", sigma_px, sigma_px < settings.min_sigma_px ? settings.min_sigma_px : largest_px, 2);
+}
+
+std::string_view in_words(DropCause cause) {
+  switch (cause) {
+    case DropCause::kSeenBefore:
+      return "reached from another place too";
+    case DropCause::kNoFalloff:
+      return "as bright all around";
+    case DropCause::kTooLarge:
+      return "no end in the largest window";
+    case DropCause::kTooSmall:
+      return "a single pixel";
+    case DropCause::kNoSurround:
+      return "surroundings not visible";
+    case DropCause::kFitFailed:
+      return "too little shows, or off centre";
+    case DropCause::kCutByBorder:
+      return "the picture ends inside";
+    case DropCause::kNoRoom:
+      return "the list of points is full";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+std::string cause_in_words(DropCause cause) {
+  std::string words{name(cause)};
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string why(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
+  const auto comparisons = comparisons_of(settings);
+  const auto* const found = std::find_if(comparisons.begin(), comparisons.end(), [&](const Comparison& comparison) {
+    return comparison.cause == candidate.cause;
+  });
+  if (found != comparisons.end()) {
+    return compared(found->what, static_cast<double>(candidate.*found->measured), found->limit, found->decimals);
+  }
+  if (candidate.cause == DropCause::kWrongSize) return of_size(candidate, settings, width_px);
+  if (candidate.cause == DropCause::kWrongProfile) {
+    return fmt::format("sigma {:.2f} in radius {:.1f} px", candidate.sigma_px, candidate.radius_px);
+  }
+  if (candidate.cause == DropCause::kKept) {
+    return fmt::format("redness {:.2f}  sigma {:.2f} px", candidate.redness, candidate.sigma_px);
+  }
+  return std::string{in_words(candidate.cause)};
+}
+
+}  // namespace tripoint
