@@ -11,6 +11,9 @@ constexpr int kRowTimeSteps = 6;            // each shrinks the error by the sha
 constexpr double kStepsPerSigma = 6.0;      // along the path of a blurred spot: its width is then true to 0.12 %
 constexpr int kMaxBlurSteps = 400;          // a limit for absurd speeds
 constexpr Duration kVelocityStep{250'000};  // for a difference quotient
+constexpr double kTouching_mm = 1.0;        // a light this close before or behind a figure sits on it
+constexpr double kMaskReachSigmas = 5.0;    // of the core, as far as it is drawn
+constexpr double kMaskMargin_px = 64.0;     // no spot moves further while it is exposed
 
 bool inside(const RawPixel& at, ImageSize size) {
   return at.u_px >= -0.5 && at.v_px >= -0.5 && at.u_px < size.width_px - 0.5 && at.v_px < size.height_px - 0.5;
@@ -22,8 +25,29 @@ double sigma_px(const LightSource& light, double optical_sigma_px, double px_per
   return std::hypot(optical_sigma_px, light.core_sigma_mm * px_per_mm);
 }
 
-LinearColor energy_of(const LightSource& light, double energy) {
-  return {energy * light.color[0], energy * light.color[1], energy * light.color[2]};
+/// Weighted by the core's light, at points half a standard deviation apart: a Gaussian is then summed to 1e-6.
+double seen_share(const LightTruth& truth, double elongation, std::span<const Mask> masks,
+                  const NormalIntegral& normal) {
+  constexpr int kPoints = 8;
+  const double step_px = 0.5 * truth.core_sigma_px * std::sqrt(elongation);
+  double seen = 0.0;
+  double all = 0.0;
+  for (int i = -kPoints; i <= kPoints; ++i) {
+    for (int j = -kPoints; j <= kPoints; ++j) {
+      const double weight = std::exp(-(i * i + j * j) / 8.0);
+      all += weight;
+      seen += weight * passed_share(masks, truth.at.u_px + j * step_px, truth.at.v_px + i * step_px, normal);
+    }
+  }
+  return seen / all;
+}
+
+/// Where a light in a mirror seems to be; nothing when the mirror shows its back to the light or to the camera.
+std::optional<Vec3> mirrored_mm(const Outline& mirror, const Vec3& place_mm, const Vec3& camera_mm) {
+  const double light_before_mm = mirror.facing.dot(place_mm - mirror.center_in_reference_mm);
+  const double camera_before_mm = mirror.facing.dot(camera_mm - mirror.center_in_reference_mm);
+  if (light_before_mm <= 0.0 || camera_before_mm <= 0.0) return std::nullopt;
+  return place_mm - 2.0 * light_before_mm * mirror.facing;
 }
 
 }  // namespace
@@ -61,44 +85,87 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
 }
 
 std::optional<FrameRenderer::Sight> FrameRenderer::sight_of(const LightSource& light, Duration since_1970) const {
-  const Vec3 in_reference_mm = light.mount == Mount::kReference
-                                   ? light.place_mm
-                                   : target_pose_at(world_.settings().trajectory, since_1970) * light.place_mm;
-  const Vec3 in_camera_mm = world_.rig().camera_from_rig[side_] * in_reference_mm;
+  const Isometry3& camera_from_reference = world_.rig().camera_from_rig[side_];
+  Vec3 in_reference_mm = light.mount == Mount::kReference
+                             ? light.place_mm
+                             : target_pose_at(world_.settings().trajectory, since_1970) * light.place_mm;
+  if (light.mirror) {
+    const Vec3 camera_mm = camera_from_reference.inverse().translation();
+    const std::optional<Vec3> image_mm = mirrored_mm(*light.mirror, in_reference_mm, camera_mm);
+    if (!image_mm) return std::nullopt;
+    in_reference_mm = *image_mm;
+  }
+  const Vec3 in_camera_mm = camera_from_reference * in_reference_mm;
   const Result<RawPixel> at = projected(world_.rig().cameras[side_], in_camera_mm);
   if (!at) return std::nullopt;
   return Sight{.at = *at, .depth_mm = in_camera_mm.z(), .in_reference_mm = in_reference_mm};
 }
 
-LightTruth FrameRenderer::add_light(const LightSource& light, Duration exposed_since_1970) {
-  const SimulationSettings& settings = world_.settings();
-  LightTruth truth{.id = light.id, .at = {}, .exposed_since_1970 = exposed_since_1970};
-  std::optional<Sight> sight = sight_of(light, exposed_since_1970);
-  for (int i = 0; i < kRowTimeSteps && sight; ++i) {  // the row gives the time, the time gives the row
+/// The row gives the time, the time gives the row.
+std::optional<FrameRenderer::Sight> FrameRenderer::sight_by_row(const LightSource& light, LightTruth& truth) const {
+  const Duration row_0 = truth.exposed_since_1970;
+  std::optional<Sight> sight = sight_of(light, row_0);
+  for (int i = 0; i < kRowTimeSteps && sight; ++i) {
     const double row = std::clamp(sight->at.v_px, 0.0, raw_.size().height_px - 1.0);
-    truth.exposed_since_1970 = exposed_since_1970 + duration_from_seconds(row * seconds(settings.line_time));
+    truth.exposed_since_1970 = row_0 + duration_from_seconds(row * seconds(world_.settings().line_time));
     sight = sight_of(light, truth.exposed_since_1970);
   }
+  return sight;
+}
+
+/// The figures nearer than the light, or nearer than the mirror that shows it, and that mirror's edge.
+std::vector<Mask> FrameRenderer::masks_before(const LightSource& light, const LightTruth& truth,
+                                              double depth_mm) const {
+  std::vector<Mask> masks;
+  if (light.mirror) {
+    const auto mirror = silhouette_of(*light.mirror, world_.rig().cameras[side_], world_.rig().camera_from_rig[side_],
+                                      world_.settings().sensor.optical_sigma_px);
+    if (mirror) masks.push_back({.silhouette = *mirror, .shows_inside = true});
+    if (mirror) depth_mm = mirror->depth_mm;
+  }
+  const double reach_px = kMaskReachSigmas * truth.core_sigma_px * std::sqrt(light.elongation) + kMaskMargin_px;
+  for (const Figure& figure : world_.figures(side_)) {
+    const Silhouette& seen = figure.silhouette;
+    if (seen.depth_mm > depth_mm - kTouching_mm) continue;
+    if (std::abs(seen.center.u_px - truth.at.u_px) > seen.reach_px.x() + reach_px) continue;
+    if (std::abs(seen.center.v_px - truth.at.v_px) > seen.reach_px.y() + reach_px) continue;
+    masks.push_back({.silhouette = seen});
+  }
+  return masks;
+}
+
+LightTruth FrameRenderer::add_light(const LightSource& light, Duration exposed_since_1970) {
+  const SensorModel& sensor = world_.settings().sensor;
+  LightTruth truth{.id = light.id, .at = {}, .exposed_since_1970 = exposed_since_1970};
+  const std::optional<Sight> sight = sight_by_row(light, truth);
   if (!sight) return truth;
   const double px_per_mm = world_.rig().cameras[side_].focal_px.mean() / sight->depth_mm;
   const double px_per_mm_at_peak = px_per_mm * sight->depth_mm / kPeakDistance_mm;
-  const double sigma_at_peak = sigma_px(light, settings.sensor.optical_sigma_px, px_per_mm_at_peak);
+  const double sigma_at_peak = sigma_px(light, sensor.optical_sigma_px, px_per_mm_at_peak);
   const double nearness = std::pow(kPeakDistance_mm / sight->depth_mm, 2);
-  const double energy = 2.0 * std::numbers::pi * sigma_at_peak * sigma_at_peak * light.peak * nearness;
+  const double energy =
+      2.0 * std::numbers::pi * sigma_at_peak * sigma_at_peak * light.peak * light.gain[side_] * nearness;
   truth.at = sight->at;
   truth.in_reference_mm = sight->in_reference_mm;
-  truth.core_sigma_px = sigma_px(light, settings.sensor.optical_sigma_px, px_per_mm);
+  truth.core_sigma_px = sigma_px(light, sensor.optical_sigma_px, px_per_mm);
   truth.peak = energy / (2.0 * std::numbers::pi * truth.core_sigma_px * truth.core_sigma_px);
   truth.visible = inside(sight->at, raw_.size());
-  const double halo_energy = energy * light.halo_share * light.halo_widening * light.halo_widening;
-  add_gaussian(light, truth, truth.core_sigma_px, energy_of(light, energy));
-  add_gaussian(light, truth, light.halo_widening * truth.core_sigma_px, energy_of(light, halo_energy));
+  const std::vector<Mask> masks = masks_before(light, truth, sight->depth_mm);
+  if (!masks.empty()) truth.visible_share = seen_share(truth, light.elongation, masks, world_.normal());
+  const double seen_energy = energy * truth.visible_share;
+  add_gaussian(light, truth, {truth.core_sigma_px, light.elongation, energy, masks});
+  add_gaussian(light, truth,
+               {.sigma_px = light.halo_widening * truth.core_sigma_px,
+                .elongation = light.elongation,
+                .energy = seen_energy * light.halo_share * light.halo_widening * light.halo_widening});
+  add_gaussian(light, truth,
+               {.sigma_px = light.veil_of_width * raw_.size().width_px, .energy = seen_energy * light.veil_share});
   return truth;
 }
 
 /// Adds the spot at evenly spaced instants of the exposure.
-void FrameRenderer::add_gaussian(const LightSource& light, const LightTruth& truth, double sigma,
-                                 const LinearColor& energy) {
+void FrameRenderer::add_gaussian(const LightSource& light, const LightTruth& truth, const Gaussian& part) {
+  if (part.energy <= 0.0) return;
   const SimulationSettings& settings = world_.settings();
   const Duration middle = truth.exposed_since_1970;
   const std::optional<Sight> before = sight_of(light, middle - kVelocityStep);
@@ -108,18 +175,20 @@ void FrameRenderer::add_gaussian(const LightSource& light, const LightTruth& tru
       Vec2(after->at.u_px - before->at.u_px, after->at.v_px - before->at.v_px) / seconds(2 * kVelocityStep);
   const double path_px = velocity_px_per_s.norm() * seconds(settings.exposure);
   const int steps = static_cast<int>(
-      std::clamp(std::ceil(kStepsPerSigma * path_px / sigma), 1.0, static_cast<double>(kMaxBlurSteps)));
-  const LinearColor share{energy[0] / steps, energy[1] / steps, energy[2] / steps};
+      std::clamp(std::ceil(kStepsPerSigma * path_px / part.sigma_px), 1.0, static_cast<double>(kMaxBlurSteps)));
+  const double share = part.energy / steps;
   for (int i = 0; i < steps; ++i) {
     const Duration offset = duration_from_seconds(seconds(settings.exposure) * ((i + 0.5) / steps - 0.5));
     const std::optional<Sight> sight = sight_of(light, middle + offset);
     if (!sight) continue;
     light_.add({.at = sight->at,
-                .sigma_px = sigma,
-                .energy = share,
+                .sigma_px = part.sigma_px,
+                .elongation = part.elongation,
+                .elongation_angle_rad = light.elongation_angle_rad,
+                .energy = {share * light.color[0], share * light.color[1], share * light.color[2]},
                 .row_px = truth.at.v_px,
                 .shift_px_per_row = velocity_px_per_s * seconds(settings.line_time)},
-               world_.normal());
+               world_.normal(), part.masks);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ports/frame.h"
@@ -20,8 +21,9 @@ struct LightTruth {
   Duration exposed_since_1970{0};
   Vec3 in_reference_mm = Vec3::Zero();
   double core_sigma_px = 0.0;
-  double peak = 0.0;     ///< of the core in this picture, times clip
-  bool visible = false;  ///< in front of the camera and inside the picture; otherwise `at` may be anything
+  double peak = 0.0;           ///< of the core in this picture, times clip
+  bool visible = false;        ///< in front of the camera and inside the picture; otherwise `at` may be anything
+  double visible_share = 1.0;  ///< of the core's light: the rest is hidden by nearer figures or falls beside the mirror
 };
 
 struct FrameTruth {
@@ -59,11 +61,21 @@ class FrameRenderer {
   struct Sight {
     RawPixel at;
     double depth_mm;
-    Vec3 in_reference_mm;
+    Vec3 in_reference_mm;  ///< of a light in a mirror: where it seems to be
+  };
+  /// A part of a light's picture.
+  struct Gaussian {
+    double sigma_px = 1.0;
+    double elongation = 1.0;
+    double energy = 0.0;  ///< in a channel of relative colour 1
+    std::span<const Mask> masks = {};
   };
   [[nodiscard]] std::optional<Sight> sight_of(const LightSource& light, Duration since_1970) const;
+  [[nodiscard]] std::optional<Sight> sight_by_row(const LightSource& light, LightTruth& truth) const;
+  [[nodiscard]] std::vector<Mask> masks_before(const LightSource& light, const LightTruth& truth,
+                                               double depth_mm) const;
   LightTruth add_light(const LightSource& light, Duration exposed_since_1970);
-  void add_gaussian(const LightSource& light, const LightTruth& truth, double sigma_px, const LinearColor& energy);
+  void add_gaussian(const LightSource& light, const LightTruth& truth, const Gaussian& part);
   void expose(std::uint64_t number);
   void encode();
 

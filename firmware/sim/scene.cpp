@@ -2,6 +2,14 @@
 
 namespace tripoint {
 
+LightSource reflection_of(const LightSource& light, const Outline& mirror, double reflectance) {
+  LightSource image = light;
+  image.id = 0;
+  image.peak *= reflectance;
+  image.mirror = mirror;
+  return image;
+}
+
 Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak) {
   Scene scene;
   int id = 0;

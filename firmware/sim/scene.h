@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "values/linear.h"
+#include "values/side.h"
 
 namespace tripoint {
 
@@ -14,10 +16,23 @@ using LinearColor = std::array<double, 3>;
 
 enum class Mount { kTarget, kReference };
 
-/// A small lamp: a Gaussian core and a wider, weaker Gaussian halo around it.
+enum class Shape : std::uint8_t { kEllipse, kBox };
+
+/// A flat figure at a place in the reference frame.
+struct Outline {
+  Vec3 center_in_reference_mm = Vec3::Zero();
+  Vec2 half_axes_mm{10.0, 10.0};
+  Shape shape = Shape::kEllipse;
+  double angle_rad = 0.0;       ///< of the first axis in the figure's plane; from x towards y when facing -z
+  Vec3 facing{0.0, 0.0, -1.0};  ///< unit normal in the reference frame; the default looks at the cameras
+};
+
+/// A small lamp, a highlight, or an image of one in a mirror: a Gaussian core, a wider, weaker Gaussian halo around it,
+/// and a veil of stray light.
 ///
 /// Its energy in the picture falls with the square of the distance; `peak` is that of the core at
-/// kPeakDistance_mm, before a pixel averages over its area.
+/// kPeakDistance_mm, before a pixel averages over its area. What hides a share of the core weakens halo and veil by
+/// that share: they are made in the lens, of the light that gets there.
 struct LightSource {
   int id = 0;                          ///< of the target's point; 0 is a light that is no part of the target
   Mount mount = Mount::kTarget;        ///< which frame it moves with
@@ -27,26 +42,31 @@ struct LightSource {
   double core_sigma_mm = 1.1;          ///< standard deviation of the core without the lens
   double halo_share = 0.02;            ///< peak of the halo over peak of the core
   double halo_widening = 4.0;          ///< standard deviation of the halo over that of the core
+  double elongation = 1.0;             ///< long over short axis of core and halo; the product of both axes is kept
+  double elongation_angle_rad = 0.0;   ///< of the long axis in the picture, from u towards v
+  PerSide<double> gain{1.0, 1.0};      ///< of `peak` in each view: lamps are directed, highlights differ by the view
+  double veil_share = 0.0;             ///< energy of the veil over that of the core
+  double veil_of_width = 0.08;         ///< standard deviation of the veil over the picture's width
+  std::optional<Outline> mirror = std::nullopt;  ///< seen in this mirror only, as far behind it as it is in front
 };
 inline constexpr double kPeakDistance_mm = 400.0;
 
-/// A round patch facing the cameras, at a place in the reference frame.
-struct Disc {
-  Vec3 center_in_reference_mm = Vec3::Zero();
-  double radius_mm = 10.0;
-};
+/// The image of a light in a flat mirror: no part of the target, and weaker by the reflectance.
+LightSource reflection_of(const LightSource& light, const Outline& mirror, double reflectance);
 
-/// Something that reflects; without an outline it fills the picture.
+/// Something that reflects; without an outline it fills the picture. One with an outline hides what is behind it.
 struct Surface {
   LinearColor reflectance{0.5, 0.5, 0.5};
-  double texture = 0.1;  ///< relative amplitude of a gentle pattern
-  double texture_period_px = 90.0;
-  std::optional<Disc> outline = std::nullopt;
+  double texture = 0.1;             ///< relative amplitude of a gentle pattern
+  double texture_period_px = 90.0;  ///< without an outline
+  double texture_period_mm = 12.0;  ///< with an outline
+  double shading = 0.0;             ///< share by which the rim of a figure is darker than its centre
+  std::optional<Outline> outline = std::nullopt;
 };
 
 struct Scene {
   std::vector<LightSource> lights;
-  std::vector<Surface> surfaces{Surface{}};  ///< painted in this order
+  std::vector<Surface> surfaces{Surface{}};  ///< painted in this order where they are equally far; the far ones first
   double white_level = 0.05;                 ///< of a white surface, in units of clip
 };
 

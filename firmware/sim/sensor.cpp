@@ -8,6 +8,17 @@
 #include "values/assert.h"
 
 namespace tripoint {
+
+std::vector<std::size_t> hot_pixels(const SensorModel& sensor, ImageSize size, std::uint64_t key) {
+  const std::uint64_t pixels = static_cast<std::uint64_t>(size.width_px) * static_cast<std::uint64_t>(size.height_px);
+  std::vector<std::size_t> hot(
+      static_cast<std::size_t>(std::lround(sensor.hot_pixel_share * static_cast<double>(pixels))));
+  for (std::size_t i = 0; i < hot.size(); ++i) hot[i] = mixed(mixed(key) + i) % pixels;
+  std::ranges::sort(hot);
+  hot.erase(std::unique(hot.begin(), hot.end()), hot.end());  // of two that fell on one place, one is left
+  return hot;
+}
+
 NoiseTable::NoiseTable(std::uint64_t seed, std::size_t longest_row)
     : longest_row_(longest_row), values_(kStarts + longest_row) {
   std::mt19937_64 generator(seed);

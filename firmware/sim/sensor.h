@@ -10,12 +10,17 @@
 
 namespace tripoint {
 
-/// Linear, without gamma. Levels are in units of clip.
+/// Linear. Levels are in units of clip.
 struct SensorModel {
   double read_noise = 0.002;            ///< standard deviation
   double full_well_electrons = 8000.0;  ///< at clip: the variance of the shot noise is level / full well
   double optical_sigma_px = 0.8;        ///< standard deviation of the lens's blur
+  double hot_pixel_share = 0.0;         ///< of all pixels
+  double hot_pixel_level = 0.5;         ///< what a hot pixel's dark current adds
 };
+
+/// The hot pixels of one sensor, as places in its row by row order; the key is its serial number, so to say.
+std::vector<std::size_t> hot_pixels(const SensorModel& sensor, ImageSize size, std::uint64_t key);
 
 /// Counts of the converter (10 bit) at clip. A pedestal below zero keeps dark noise symmetric, as in real sensors;
 /// it is subtracted again, so that counts may be negative.

@@ -1,8 +1,6 @@
 #include "sim/world.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -38,56 +36,11 @@ std::string wrong_setting(const SimulationSettings& settings) {
   if (!(settings.sensor.read_noise >= 0.0 && settings.sensor.read_noise <= 1.0)) return "read_noise: must be 0 to 1";
   if (!(settings.sensor.full_well_electrons >= 1.0)) return "full_well_electrons: must be at least 1";
   if (!(settings.sensor.optical_sigma_px >= 0.3)) return "optical_sigma_px: must be at least 0.3";
+  if (!(settings.sensor.hot_pixel_share >= 0.0 && settings.sensor.hot_pixel_share <= 1.0)) {
+    return "hot_pixel_share: must be 0 to 1";
+  }
   if (settings.trajectory.period <= Duration::zero()) return "trajectory: its period must be above 0";
   return {};
-}
-
-/// Where a surface covers the pixel: everywhere without an outline, else inside the disc's picture.
-struct Cover {
-  bool everywhere = true;
-  RawPixel center;
-  double radius_px = 0.0;
-
-  [[nodiscard]] double share_at(int x, int y) const {
-    if (everywhere) return 1.0;
-    const double distance_px = std::hypot(x - center.u_px, y - center.v_px);
-    return std::clamp(radius_px - distance_px + 0.5, 0.0, 1.0);
-  }
-};
-
-Cover cover_of(const Surface& surface, const CameraModel& camera, const Isometry3& camera_from_rig) {
-  if (!surface.outline) return {};
-  const Vec3 in_camera_mm = camera_from_rig * surface.outline->center_in_reference_mm;
-  const Result<RawPixel> center = projected(camera, in_camera_mm);
-  if (!center) return {.everywhere = false, .center = {}, .radius_px = -1.0};
-  return {.everywhere = false,
-          .center = *center,
-          .radius_px = surface.outline->radius_mm * camera.focal_px.x() / in_camera_mm.z()};
-}
-
-/// A gentle pattern between -1 and 1.
-double pattern(double x_px, double y_px, double period_px) {
-  const double k = 2.0 * std::numbers::pi / period_px;
-  return 0.5 * (std::sin(k * (x_px + 0.3 * y_px)) + std::cos(k * (0.8 * y_px - 0.2 * x_px)));
-}
-
-std::vector<float> painted_background(const Scene& scene, const CameraModel& camera, const Isometry3& camera_from_rig) {
-  const auto width = static_cast<std::size_t>(camera.size.width_px);
-  std::vector<float> levels(width * static_cast<std::size_t>(camera.size.height_px));
-  for (const Surface& surface : scene.surfaces) {
-    const Cover cover = cover_of(surface, camera, camera_from_rig);
-    for (int y = 0; y < camera.size.height_px; ++y) {
-      float* row = levels.data() + static_cast<std::size_t>(y) * width;
-      for (int x = 0; x < camera.size.width_px; ++x) {
-        const double share = cover.share_at(x, y);
-        if (share <= 0.0) continue;
-        const double texture = 1.0 + surface.texture * pattern(x, y, surface.texture_period_px);
-        const double level = scene.white_level * surface.reflectance[bayer_channel(x, y)] * texture;
-        row[x] += static_cast<float>(share * (level - static_cast<double>(row[x])));
-      }
-    }
-  }
-  return levels;
 }
 
 }  // namespace
@@ -97,8 +50,15 @@ SimulatedWorld::SimulatedWorld(SimulationSettings settings, TimePoint start, Rig
       start_(start),
       rig_(std::move(rig)),
       noise_(settings_.seed, static_cast<std::size_t>(rig_.cameras.left.size.width_px)) {
+  const double blur_px = settings_.sensor.optical_sigma_px;
   for (const Side side : kBothSides) {
-    backgrounds_[side] = painted_background(settings_.scene, rig_.cameras[side], rig_.camera_from_rig[side]);
+    const CameraModel& camera = rig_.cameras[side];
+    figures_[side] = figures_of(settings_.scene, camera, rig_.camera_from_rig[side], blur_px);
+    backgrounds_[side] = painted(settings_.scene, figures_[side], camera.size, normal_);
+    for (const std::size_t pixel :
+         hot_pixels(settings_.sensor, camera.size, 2 * settings_.seed + (side == Side::kLeft ? 0 : 1))) {
+      backgrounds_[side][pixel] += static_cast<float>(settings_.sensor.hot_pixel_level);
+    }
   }
 }
 

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "geometry/rig.h"
+#include "sim/normal_integral.h"
+#include "sim/painting.h"
 #include "sim/sensor.h"
 #include "sim/settings.h"
-#include "sim/spot.h"
 #include "values/result.h"
 
 namespace tripoint {
@@ -24,6 +25,8 @@ class SimulatedWorld {
   [[nodiscard]] const Rig& rig() const { return rig_; }
   [[nodiscard]] const NoiseTable& noise() const { return noise_; }
   [[nodiscard]] const NormalIntegral& normal() const { return normal_; }
+  /// What hides lights behind it, the farthest first.
+  [[nodiscard]] const std::vector<Figure>& figures(Side side) const { return figures_[side]; }
   /// Mean level of each pixel under the mosaic without any light source, row by row, in units of clip.
   [[nodiscard]] const std::vector<float>& background(Side side) const { return backgrounds_[side]; }
 
@@ -35,6 +38,7 @@ class SimulatedWorld {
   Rig rig_;
   NoiseTable noise_;
   NormalIntegral normal_;
+  PerSide<std::vector<Figure>> figures_;
   PerSide<std::vector<float>> backgrounds_;
 };
 

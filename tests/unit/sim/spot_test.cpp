@@ -128,6 +128,30 @@ TEST(SpotTest, MotionDownTheRowsStretchesTheSpot) {
   EXPECT_NEAR(std::sqrt(moments.variance_px2.y()), std::sqrt(2.5 * 2.5 + 1.0 / 12.0) / 0.8, 3e-3);
 }
 
+TEST(SpotTest, ElongatedSpotHasTheCovarianceOfItsAxes) {
+  LightPlane plane(kSize, kDark);
+  GaussianSpot spot = white_spot({.u_px = 47.4, .v_px = 40.7}, 2.0, 25.0);
+  spot.elongation = 1.8;
+  spot.elongation_angle_rad = 0.7;
+  plane.add(spot, NormalIntegral{});
+  const Moments moments = moments_of(plane);
+  double across_px2 = 0.0;
+  for (int y = 0; y < kSize.height_px; ++y) {
+    for (int x = 0; x < kSize.width_px; ++x) {
+      across_px2 += static_cast<double>(plane.row(y)[static_cast<std::size_t>(x)]) / 25.0 * (x - 47.4) * (y - 40.7);
+    }
+  }
+  const double cosine = std::cos(0.7);
+  const double sine = std::sin(0.7);
+  EXPECT_NEAR(moments.energy, 25.0, 25.0 * 2e-5);
+  EXPECT_NEAR(moments.center_px.x(), 47.4, 1e-4);
+  EXPECT_NEAR(moments.center_px.y(), 40.7, 1e-4);
+  // sigma^2 = 4: the axes' variances are 4 x 1.8 and 4 / 1.8; a pixel adds 1/12 to each side
+  EXPECT_NEAR(moments.variance_px2.x(), 7.2 * cosine * cosine + 4.0 / 1.8 * sine * sine + 1.0 / 12.0, 5e-3);
+  EXPECT_NEAR(moments.variance_px2.y(), 7.2 * sine * sine + 4.0 / 1.8 * cosine * cosine + 1.0 / 12.0, 5e-3);
+  EXPECT_NEAR(across_px2, (7.2 - 4.0 / 1.8) * sine * cosine, 5e-3);
+}
+
 TEST(SpotTest, SpotAcrossTheBorderKeepsItsInnerHalf) {
   LightPlane plane(kSize, kDark);
   plane.add(white_spot({.u_px = -0.5, .v_px = 40.0}, 2.0, 10.0), NormalIntegral{});

@@ -26,6 +26,7 @@ TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
       {"read_noise", [](auto& s) { s.sensor.read_noise = -0.1; }},
       {"full_well", [](auto& s) { s.sensor.full_well_electrons = 0.0; }},
       {"optical_sigma", [](auto& s) { s.sensor.optical_sigma_px = 0.0; }},
+      {"hot_pixel_share", [](auto& s) { s.sensor.hot_pixel_share = 1.5; }},
       {"trajectory", [](auto& s) { s.trajectory.period = Duration{0}; }},
   };
   for (const WrongSetting& wrong : cases) {
@@ -63,20 +64,6 @@ TEST(WorldTest, TextureStaysWithinItsAmplitude) {
   EXPECT_GE(low, 0.025F * 0.9F - 1e-6F);
   EXPECT_LE(high, 0.025F * 1.1F + 1e-6F);
   EXPECT_GT(high - low, 0.003F);
-}
-
-TEST(WorldTest, DiscCoversItsAreaInFrontOfTheWall) {
-  SimulationSettings settings = bare_settings();
-  settings.scene.white_level = 1.0;
-  Surface disc{.reflectance = {1.0, 1.0, 1.0}, .texture = 0.0};
-  disc.outline = Disc{.center_in_reference_mm = {0.0, 0.0, 400.0}, .radius_mm = 20.0};
-  settings.scene.surfaces = {disc};
-  const SimulatedWorld world = world_of(settings);
-  double area_px2 = 0.0;
-  for (const float level : world.background(Side::kLeft)) area_px2 += static_cast<double>(level);
-  const Isometry3& left_from_rig = world.rig().camera_from_rig.left;
-  const double radius_px = 20.0 * 628.0 / (left_from_rig * disc.outline->center_in_reference_mm).z();
-  EXPECT_NEAR(area_px2, 3.14159 * radius_px * radius_px, 0.005 * area_px2);  // the rim is softened by half a pixel
 }
 
 }  // namespace
