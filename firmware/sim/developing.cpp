@@ -13,7 +13,24 @@ std::uint8_t byte_from(std::int32_t scaled, int shift) {
   return static_cast<std::uint8_t>(std::clamp(scaled >> shift, 0, 255));
 }
 
+/// The curve over quarter counts; empty when the tone changes nothing.
+std::vector<std::int16_t> curve_of(const Tone& tone) {
+  if (tone.gamma == 1.0 && tone.color_matrix == Matrix3::Identity()) return {};
+  std::vector<std::int16_t> curve(4 * kClipCounts + 1);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double level = static_cast<double>(i) / kQuarterCountsAtClip;
+    curve[i] = static_cast<std::int16_t>(std::lround(kQuarterCountsAtClip * std::pow(level, 1.0 / tone.gamma)));
+  }
+  return curve;
+}
+
 }  // namespace
+
+Tone webcam_tone() {
+  Tone tone{.gamma = 2.2};
+  tone.color_matrix << 1.35, -0.28, -0.07, -0.15, 1.35, -0.20, -0.03, -0.30, 1.33;  // an ordinary sensor's, to sRGB
+  return tone;
+}
 
 Developer::Weights Developer::weights(double red, double green, double blue, double offset) {
   const double scale = std::ldexp(1.0, kShift);
@@ -24,7 +41,8 @@ Developer::Weights Developer::weights(double red, double green, double blue, dou
           .offset = rounded(offset + 0.5)};
 }
 
-Developer::Developer(ImageSize size, YuvRange range) {
+Developer::Developer(ImageSize size, YuvRange range, const Tone& tone)
+    : color_matrix_(tone.color_matrix.cast<float>()), curve_(curve_of(tone)) {
   const bool video = range == YuvRange::kVideo;
   const double luma = video ? 219.0 : 255.0;
   const double chroma = video ? 224.0 : 255.0;
@@ -52,6 +70,7 @@ Developer::Developer(ImageSize size, YuvRange range) {
 void Developer::develop(const RawPlane& raw) {
   for (int y = 0; y < planes_.size.height_px; ++y) {
     demosaic_row(raw, y);
+    if (!curve_.empty()) tone_row();
     convert_row(y);
   }
 }
@@ -76,6 +95,18 @@ void Developer::demosaic_row(const RawPlane& raw, int y) {
     own[x] = static_cast<std::int16_t>(at_own != 0 ? center : 2 * sides);
     green[x] = static_cast<std::int16_t>(at_own != 0 ? sides + rows : center);
     other[x] = static_cast<std::int16_t>(at_own != 0 ? corners : 2 * rows);
+  }
+}
+
+void Developer::tone_row() {
+  const auto toned = [this](float value) {
+    return curve_[static_cast<std::size_t>(std::clamp(value, 0.0F, 4.0F * kClipCounts) + 0.5F)];
+  };
+  for (std::size_t x = 0; x < red_.size(); ++x) {
+    const Eigen::Vector3f color = color_matrix_ * Eigen::Vector3f(red_[x], green_[x], blue_[x]);
+    red_[x] = toned(color.x());
+    green_[x] = toned(color.y());
+    blue_[x] = toned(color.z());
   }
 }
 

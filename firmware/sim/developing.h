@@ -1,4 +1,4 @@
-// From counts under the mosaic to luma and chroma: bilinear demosaicing and BT.601.
+// From counts under the mosaic to luma and chroma: bilinear demosaicing, the camera's tone, and BT.601.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,22 @@
 #include <vector>
 
 #include "sim/sensor.h"
+#include "values/linear.h"
 #include "values/pixel.h"
 
 namespace tripoint {
 
 /// Video cameras send YUYV with luma 16 to 235; JPEG uses the whole byte.
 enum class YuvRange : std::uint8_t { kVideo, kFull };
+
+/// What a camera does to demosaiced colours before it converts them; the default leaves them linear.
+struct Tone {
+  Matrix3 color_matrix = Matrix3::Identity();  ///< of red, green, blue; rows that sum to 1 keep white
+  double gamma = 1.0;                          ///< output is level^(1/gamma), both 0 to 1
+};
+
+/// As webcams deliver it: more saturated colours, and the gamma of a display.
+Tone webcam_tone();
 
 /// 8-bit planes; chroma has half the width and belongs to the middle between its two pixels.
 struct YuvPlanes {
@@ -25,13 +35,14 @@ struct YuvPlanes {
 /// Source of the coefficients: ITU-R BT.601-7, section 2.5.
 class Developer {
  public:
-  Developer(ImageSize size, YuvRange range);
+  Developer(ImageSize size, YuvRange range, const Tone& tone = {});
 
   void develop(const RawPlane& raw);
   [[nodiscard]] const YuvPlanes& planes() const { return planes_; }
 
  private:
   void demosaic_row(const RawPlane& raw, int y);
+  void tone_row();
   void convert_row(int y);
 
   /// Fixed-point coefficients for quarter counts, scaled by 2^kShift; the offset rounds.
@@ -47,6 +58,8 @@ class Developer {
   Weights luma_{};
   Weights chroma_u_{};
   Weights chroma_v_{};
+  Eigen::Matrix3f color_matrix_;
+  std::vector<std::int16_t> curve_;   ///< of quarter counts from 0 to clip; empty: linear, with no matrix either
   std::vector<std::int16_t> is_odd_;  ///< all bits set at odd x
   std::vector<std::int16_t> red_;
   std::vector<std::int16_t> green_;

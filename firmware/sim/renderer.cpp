@@ -57,7 +57,7 @@ FrameRenderer::FrameRenderer(const SimulatedWorld& world, Side side)
       side_(side),
       light_(world.rig().cameras[side].size, world.background(side)),
       raw_(world.rig().cameras[side].size),
-      developer_(raw_.size(), range_of(world.settings().format)),
+      developer_(raw_.size(), range_of(world.settings().format), world.settings().tone),
       packer_(raw_.size()) {
   const auto width = static_cast<std::size_t>(raw_.size().width_px);
   frame_.format = world.settings().format;

@@ -7,6 +7,7 @@
 #include "geometry/rig.h"
 #include "ports/frame.h"
 #include "sim/default_rig.h"
+#include "sim/developing.h"
 #include "sim/jpeg_encoder.h"
 #include "sim/scene.h"
 #include "sim/sensor.h"
@@ -44,6 +45,7 @@ struct SimulationSettings {
   Scene scene = led_scene({Vec3::Zero()});
   StereoCalibration rig = default_rig();  ///< the truth; its sizes are the pictures' sizes
   SensorModel sensor;
+  Tone tone;
   PixelFormat format = PixelFormat::kYuyv;
   ChromaSampling mjpeg_sampling = ChromaSampling::k422;
   int mjpeg_quality = 90;

@@ -39,6 +39,7 @@ std::string wrong_setting(const SimulationSettings& settings) {
   if (!(settings.sensor.hot_pixel_share >= 0.0 && settings.sensor.hot_pixel_share <= 1.0)) {
     return "hot_pixel_share: must be 0 to 1";
   }
+  if (!(settings.tone.gamma >= 0.1 && settings.tone.gamma <= 10.0)) return "tone: its gamma must be 0.1 to 10";
   if (settings.trajectory.period <= Duration::zero()) return "trajectory: its period must be above 0";
   return {};
 }

@@ -1,6 +1,7 @@
 #include "sim/developing.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -28,8 +29,8 @@ RawPlane plane_of(const Level& level) {
   return plane;
 }
 
-YuvPlanes developed(const RawPlane& raw, YuvRange range) {
-  Developer developer(kSize, range);
+YuvPlanes developed(const RawPlane& raw, YuvRange range, const Tone& tone = {}) {
+  Developer developer(kSize, range, tone);
   developer.develop(raw);
   return developer.planes();
 }
@@ -94,6 +95,42 @@ TEST(DevelopingTest, YuyvHasLumaAndChromaInTurn) {
   YuyvPacker packer(planes.size);
   packer.pack(planes);
   EXPECT_EQ(packer.bytes(), (std::vector<std::uint8_t>{1, 10, 2, 20, 3, 11, 4, 21}));
+}
+
+std::uint8_t luma_of_grey(double level, const Tone& tone) {
+  return developed(plane_of([&](int, int, std::size_t) { return level; }), YuvRange::kVideo, tone).y[0];
+}
+
+TEST(DevelopingTest, GammaIsThePowerLaw) {
+  for (const double level : {0.0, 0.05, 0.18, 0.5, 1.0}) {
+    const double counted = std::round(level * kClipCounts) / kClipCounts;
+    EXPECT_NEAR(luma_of_grey(level, {.gamma = 2.2}), 16.0 + 219.0 * std::pow(counted, 1.0 / 2.2), 0.51) << level;
+  }
+}
+
+TEST(DevelopingTest, ColourMatrixTurnsColoursAndKeepsGrey) {
+  Tone tone;
+  tone.color_matrix << 1.5, -0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0;
+  EXPECT_EQ(luma_of_grey(0.4, tone), luma_of_grey(0.4, {}));
+  const LinearColor color{0.4, 0.2, 0.1};
+  const RawPlane raw = plane_of([&](int, int, std::size_t c) { return color[c]; });
+  // red 1.5 x 0.4 - 0.5 x 0.2 = 0.5; BT.601 by hand
+  const double luma = 0.299 * 0.5 + 0.587 * 0.2 + 0.114 * 0.1;
+  const YuvPlanes planes = developed(raw, YuvRange::kVideo, tone);
+  EXPECT_NEAR(planes.y[100], 16.0 + 219.0 * luma, 0.8);  // counts are whole: 0.2 of a step more than rounding
+  EXPECT_NEAR(planes.v[50], 128.0 + 112.0 * (0.5 - luma) / 0.701, 0.8);
+}
+
+TEST(DevelopingTest, ColoursThatTheMatrixMakesNegativeAreBlack) {
+  Tone tone{.gamma = 2.2};
+  tone.color_matrix << 1.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1.0;
+  const RawPlane raw = plane_of([](int, int, std::size_t c) { return c == 0 ? 1.0 : 0.0; });
+  EXPECT_EQ(developed(raw, YuvRange::kVideo, tone).y[100], 81);  // pure red of the colour bars
+}
+
+TEST(DevelopingTest, WebcamToneKeepsWhiteAndBlack) {
+  EXPECT_EQ(luma_of_grey(1.0, webcam_tone()), 235);
+  EXPECT_EQ(luma_of_grey(0.0, webcam_tone()), 16);
 }
 
 }  // namespace

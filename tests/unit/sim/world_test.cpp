@@ -27,6 +27,7 @@ TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
       {"full_well", [](auto& s) { s.sensor.full_well_electrons = 0.0; }},
       {"optical_sigma", [](auto& s) { s.sensor.optical_sigma_px = 0.0; }},
       {"hot_pixel_share", [](auto& s) { s.sensor.hot_pixel_share = 1.5; }},
+      {"gamma", [](auto& s) { s.tone.gamma = 0.0; }},
       {"trajectory", [](auto& s) { s.trajectory.period = Duration{0}; }},
   };
   for (const WrongSetting& wrong : cases) {
