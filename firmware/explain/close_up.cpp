@@ -18,7 +18,7 @@ constexpr std::array<int, 3> kZooms{8, 4, 2};  ///< without remainder in kSide_p
 
 /// What must be seen to understand the verdict, px of the picture.
 double extent_px(const Candidate& candidate) {
-  constexpr double kSurface_px = 52.0;
+  constexpr double kSurface_px = 50.0;
   constexpr double kOfRadius = 3.2;
   const bool surface = candidate.cause == DropCause::kNoFalloff || candidate.cause == DropCause::kTooLarge;
   return surface ? kSurface_px : kOfRadius * static_cast<double>(candidate.radius_px);

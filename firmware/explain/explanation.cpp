@@ -56,7 +56,7 @@ std::vector<std::string> notes_on(const Explained& explained, const Overview& ov
   };
   note_if(explained.picture.v.data == nullptr, "A grey picture: nothing was looked at, it cannot show what is red.");
   note_if(explained.detection.health.candidates_cut, "More candidates than the limit: not everything was looked at.");
-  note_if(overview.unlabelled > 0, fmt::format("Marks without a label, for lack of room: {}.", overview.unlabelled));
+  note_if(overview.unlabelled > 0, fmt::format("Marks without a label: {}.", overview.unlabelled));
   note_if(without_close_up > 0, fmt::format("Candidates without a close-up: {}.", without_close_up));
   note_if(overview.brightened, "A dark picture: shown brighter (gamma 2); the close-ups show it as it is.");
   return notes;

@@ -1,0 +1,56 @@
+#include "explain/why.h"
+
+#include <gtest/gtest.h>
+
+namespace tripoint {
+namespace {
+
+Candidate with(DropCause cause, float Candidate::*measured, float value) {
+  Candidate candidate;
+  candidate.cause = cause;
+  candidate.*measured = value;
+  return candidate;
+}
+
+std::string why_of(const Candidate& candidate) { return why(candidate, LedDetectorSettings{}, 640); }
+
+TEST(WhyTest, EveryCauseHasWordsAndAReason) {
+  for (std::size_t i = 0; i < kDropCauseNames.size(); ++i) {
+    const auto cause = static_cast<DropCause>(i);
+    EXPECT_FALSE(cause_in_words(cause).empty());
+    EXPECT_FALSE(why_of(with(cause, &Candidate::peak, 0.0F)).empty()) << name(cause);
+  }
+}
+
+TEST(WhyTest, ACauseIsWrittenAsPeopleWriteIt) { EXPECT_EQ(cause_in_words(DropCause::kNotRed), "not red"); }
+
+TEST(WhyTest, AMeasuredValueStandsAgainstItsLimit) {
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.31F)), "redness 0.31 < 0.50");
+  EXPECT_EQ(why_of(with(DropCause::kElongated, &Candidate::aspect, 3.0F)), "aspect 3.00 > 1.90");
+  EXPECT_EQ(why_of(with(DropCause::kDim, &Candidate::peak, 612.0F)), "peak 612 < 850");
+}
+
+TEST(WhyTest, TheLimitIsThatOfTheSettings) {
+  LedDetectorSettings settings;
+  settings.min_emission = -0.1;
+  EXPECT_EQ(why(with(DropCause::kNotEmitting, &Candidate::emission, -0.25F), settings, 640), "emission -0.25 < -0.10");
+}
+
+TEST(WhyTest, AValueBesideItsLimitDoesNotReadAsTheLimit) {
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.4982F)), "redness 0.498 < 0.50");
+}
+
+TEST(WhyTest, TheSizeHasTwoLimits) {
+  EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 0.4F)), "sigma 0.40 < 0.55");
+  EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 12.0F)), "sigma 12.00 > 10.24");  // 0.016 of 640
+}
+
+TEST(WhyTest, AKeptOneTellsWhatWasMeasured) {
+  Candidate kept;
+  kept.redness = 1.7F;
+  kept.sigma_px = 1.25F;
+  EXPECT_EQ(why_of(kept), "redness 1.70  sigma 1.25 px");
+}
+
+}  // namespace
+}  // namespace tripoint
