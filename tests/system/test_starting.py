@@ -4,10 +4,18 @@ import re
 import signal
 import subprocess
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from system.daemon import CONFIG, STOP_S, binary, daemon, finished
+from system.daemon import CONFIG, STOP_S, TIMEOUT_S, binary, daemon, finished
+
+from host_tool.appliance.modbus import ModbusLink, Table
+from host_tool.errors import DeviceError
+
+STATE = 36
+STOPPED = 6
+SLOWEST_CLIENT_S = 0.1  # docs/reference/registers.md: a request every 20 to 100 ms
 
 
 @pytest.fixture
@@ -79,6 +87,18 @@ def test_a_signal_ends_it_well_within_a_second(tmp_path: Path, number: signal.Si
         running.process.send_signal(number)
         assert running.process.wait(timeout=10.0 * STOP_S) == 0
         assert time.monotonic() - started_s < STOP_S
+
+
+def test_a_stopping_unit_can_be_read_long_enough_for_its_slowest_client(tmp_path: Path) -> None:
+    stopped_s = []
+    with daemon(tmp_path / "log") as running, ModbusLink(running.address, TIMEOUT_S) as link:
+        running.process.terminate()
+        with suppress(DeviceError):
+            while True:
+                if link.read(Table.INPUT, STATE, 1) == (STOPPED,):
+                    stopped_s.append(time.monotonic())
+    assert stopped_s
+    assert stopped_s[-1] - stopped_s[0] > SLOWEST_CLIENT_S
 
 
 @pytest.mark.parametrize("arguments", [(), ("run",), ("measure",), ("run", "--config")])

@@ -46,6 +46,16 @@ TEST_F(GateTest, APoseWithoutFaultsPasses) {
   EXPECT_TRUE(measurement.warnings.empty());
 }
 
+TEST_F(GateTest, WhatTimeDidGoesOnToTheRegistersAndTheLatch) {
+  seen.skew_s = 0.007;
+  seen.offset_sigma_s = 0.0001;
+  EXPECT_FALSE(passed().timing.uncorrected_cost_mm);
+  fit.uncorrected_cost_mm = 1.25;
+  EXPECT_EQ(passed().timing.skew_s, 0.007);
+  EXPECT_EQ(passed().timing.skew_sigma_s, 0.0001);
+  EXPECT_EQ(passed().timing.uncorrected_cost_mm, 1.25);
+}
+
 TEST_F(GateTest, AnyFaultOfAnyStageHoldsThePoseBackButNotTheRest) {
   for (unsigned bit = 0; bit < kFaultNames.size(); ++bit) {
     const auto fault = static_cast<Fault>(bit);

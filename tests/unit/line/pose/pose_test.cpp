@@ -137,5 +137,14 @@ TEST(PoseTest, WhatTheSkewCostsIsUnknownWithoutASpeed) {
   EXPECT_FALSE(fit_of(model, pair_at(model, {0.0, 0.0, 400.0}, 1), 0.005).uncorrected_cost_mm);
 }
 
+TEST(PoseTest, WhatTheSkewCostsIsUnknownWithoutATarget) {
+  const LineModel model = webcam_model();
+  Pair pair = pair_at(model, {0.0, 0.0, 400.0}, 0);
+  for (const Side side : kBothSides) pair.points[side].velocity_px_per_s = Vec2(150.0, 0.0);
+  EXPECT_FALSE(fit_of(model, pair, 0.005).uncorrected_cost_mm);
+  pair.id = 1;
+  EXPECT_TRUE(fit_of(model, pair, 0.005).uncorrected_cost_mm);
+}
+
 }  // namespace
 }  // namespace tripoint
