@@ -130,6 +130,7 @@ def table(figures: list[dict[str, Any]]) -> str:
 def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
+    figures += of_program(programs / "bench_exposure")
     figures += of_instructions(programs)
     figures += [figure for figure in of_program(programs / "bench_modbus") if figure["name"] == "torn_reads"]
     figures += of_the_unit(programs)
