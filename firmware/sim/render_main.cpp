@@ -1,11 +1,13 @@
-// tripoint-render: one period of a simulated motion as a recording folder, for tests and for cameras made of files.
+// tripoint-render: one period of a simulated motion, or a cluttered scene, as a recording folder.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "sim/clutter.h"
 #include "sim/rendered_recording.h"
 #include "sim/world.h"
 
@@ -24,8 +26,9 @@ struct Options {
   std::string trajectory;
   int width_px = 640;
   int height_px = 480;
-  int leds = 1;
-  double led_peak = 1.5;
+  std::optional<int> leds;
+  std::optional<double> led_peak;
+  std::string tone = "linear";
   int exposure_us = 5000;
   int quality = 90;
   std::uint64_t seed = 1;
@@ -41,22 +44,40 @@ Result<Trajectory> chosen_trajectory(const Options& options) {
   return options.trajectory.empty() ? scenario_trajectory(options.scenario) : load_trajectory(options.trajectory);
 }
 
-/// The frames share the period out evenly, so that the recording can be played round and round.
-Result<void> render_recording(const Options& options) {
+ImageSize size_of(const Options& options) { return {.width_px = options.width_px, .height_px = options.height_px}; }
+
+/// LEDs in motion before a wall.
+Result<SimulationSettings> open_scene(const Options& options) {
   Result<Trajectory> trajectory = chosen_trajectory(options);
   if (!trajectory) return tl::make_unexpected(trajectory.error());
   SimulationSettings settings;
   settings.trajectory = *trajectory;
-  settings.scene = led_scene(led_places(options.leds), options.led_peak);
-  settings.rig = default_rig({.width_px = options.width_px, .height_px = options.height_px});
-  settings.format = options.format == "jpg" ? PixelFormat::kMjpeg : PixelFormat::kYuyv;
-  settings.mjpeg_quality = options.quality;
-  settings.exposure = std::chrono::microseconds{options.exposure_us};
-  settings.rate_hz = options.frames / seconds(trajectory->period);
+  settings.scene = led_scene(led_places(options.leds.value_or(1)), options.led_peak.value_or(1.5));
+  settings.rig = default_rig(size_of(options));
   settings.seed = options.seed;
-  return SimulatedWorld::create(settings, TimePoint{trajectory->period}).and_then([&](const SimulatedWorld& world) {
-    return write_rendered_recording(world, options.frames, options.out);
-  });
+  return settings;
+}
+
+SimulationSettings cluttered_scene(const Options& options) {
+  ClutterChoice choice{.size = size_of(options)};
+  if (options.leds) choice.min_leds = choice.max_leds = *options.leds;
+  if (options.led_peak) choice.led_peak = {*options.led_peak, *options.led_peak};
+  return clutter_settings(options.seed, choice);
+}
+
+/// The frames share the period out evenly, so that the recording can be played round and round.
+Result<void> render_recording(const Options& options) {
+  const bool cluttered = options.scenario == "clutter" && options.trajectory.empty();
+  Result<SimulationSettings> settings = cluttered ? cluttered_scene(options) : open_scene(options);
+  if (!settings) return tl::make_unexpected(settings.error());
+  settings->format = options.format == "jpg" ? PixelFormat::kMjpeg : PixelFormat::kYuyv;
+  settings->mjpeg_quality = options.quality;
+  if (options.tone == "webcam") settings->tone = webcam_tone();
+  settings->exposure = std::chrono::microseconds{options.exposure_us};
+  settings->rate_hz = options.frames / seconds(settings->trajectory.period);
+  return SimulatedWorld::create(*settings, TimePoint{settings->trajectory.period})
+      .and_then(
+          [&](const SimulatedWorld& world) { return write_rendered_recording(world, options.frames, options.out); });
 }
 
 void complain(const std::string& message) {
@@ -79,16 +100,23 @@ int run(int argc, char** argv) {
   app.add_option("--out", options.out, "folder to write; must be empty or absent")->required();
   app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
   app.add_option("--scenario", options.scenario,
-                 "paper-linear, paper-circular, scout (periods 12, 12, 6 s) or static-volume (81 s)");
+                 "paper-linear, paper-circular, scout (periods 12, 12, 6 s), static-volume (81 s), or clutter:\n"
+                 "a still target among things like LEDs, another scene with each seed (1 s)");
   app.add_option("--trajectory", options.trajectory, "CSV file as host-tool simulate writes it, instead of a scenario");
   app.add_option("--width", options.width_px, "of a picture, px: 320, 640 or 1280");
   app.add_option("--height", options.height_px, "of a picture, px: 240, 480 or 720");
-  app.add_option("--leds", options.leds, "1, or 3 for a triangle of 100, 80, 60 mm")->check(CLI::IsMember({1, 3}));
-  app.add_option("--led-peak", options.led_peak, "brightness of an LED in units of clip; 1 to 3 is recommended")
-      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--leds", options.leds, "1, or 3 for a triangle of 100, 80, 60 mm; clutter: 3 or 4 by seed")
+      ->check(CLI::IsMember({1, 3}))
+      ->default_str("1");
+  app.add_option("--led-peak", options.led_peak,
+                 "brightness of an LED in units of clip; 1 to 3 is recommended; clutter: 1 to 3 by seed")
+      ->check(CLI::Range(0.0, 100.0))
+      ->default_str("1.5");
+  app.add_option("--tone", options.tone, "linear, or webcam: a colour matrix and gamma 2.2")
+      ->check(CLI::IsMember({"linear", "webcam"}));
   app.add_option("--exposure-us", options.exposure_us, "exposure time, us")->check(CLI::Range(0, 1'000'000));
   app.add_option("--quality", options.quality, "of a JPEG, 1 to 100; with --format jpg");
-  app.add_option("--seed", options.seed, "of the noise: the same seed gives the same pictures");
+  app.add_option("--seed", options.seed, "of the noise and the clutter: the same seed gives the same pictures");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

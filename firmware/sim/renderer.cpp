@@ -42,11 +42,27 @@ double seen_share(const LightTruth& truth, double elongation, std::span<const Ma
   return seen / all;
 }
 
+/// How far a place lies before the plane of a figure.
+double before_mm(const Outline& figure, const Vec3& place_mm) {
+  return figure.facing.dot(place_mm - figure.center_in_reference_mm);
+}
+
+/// Whether the plane of a figure parts the camera from a place that does not sit on it.
+bool is_between(const Outline& figure, const Vec3& camera_mm, const Vec3& place_mm) {
+  const double place_before_mm = before_mm(figure, place_mm);
+  return std::abs(place_before_mm) > kTouching_mm && place_before_mm * before_mm(figure, camera_mm) < 0.0;
+}
+
+/// Where the line from the camera to a place behind a figure's plane meets that plane.
+Vec3 crossing_mm(const Outline& figure, const Vec3& camera_mm, const Vec3& place_mm) {
+  const double camera_before_mm = before_mm(figure, camera_mm);
+  return camera_mm + (place_mm - camera_mm) * camera_before_mm / (camera_before_mm - before_mm(figure, place_mm));
+}
+
 /// Where a light in a mirror seems to be; nothing when the mirror shows its back to the light or to the camera.
 std::optional<Vec3> mirrored_mm(const Outline& mirror, const Vec3& place_mm, const Vec3& camera_mm) {
-  const double light_before_mm = mirror.facing.dot(place_mm - mirror.center_in_reference_mm);
-  const double camera_before_mm = mirror.facing.dot(camera_mm - mirror.center_in_reference_mm);
-  if (light_before_mm <= 0.0 || camera_before_mm <= 0.0) return std::nullopt;
+  const double light_before_mm = before_mm(mirror, place_mm);
+  if (light_before_mm <= 0.0 || before_mm(mirror, camera_mm) <= 0.0) return std::nullopt;
   return place_mm - 2.0 * light_before_mm * mirror.facing;
 }
 
@@ -113,20 +129,22 @@ std::optional<FrameRenderer::Sight> FrameRenderer::sight_by_row(const LightSourc
   return sight;
 }
 
-/// The figures nearer than the light, or nearer than the mirror that shows it, and that mirror's edge.
-std::vector<Mask> FrameRenderer::masks_before(const LightSource& light, const LightTruth& truth,
-                                              double depth_mm) const {
+/// The figures between the camera and the light, or the mirror that shows it, and that mirror's edge.
+std::vector<Mask> FrameRenderer::masks_before(const LightSource& light, const LightTruth& truth) const {
+  const Isometry3& camera_from_reference = world_.rig().camera_from_rig[side_];
+  const Vec3 camera_mm = camera_from_reference.inverse().translation();
   std::vector<Mask> masks;
+  Vec3 shown_at_mm = truth.in_reference_mm;
   if (light.mirror) {
-    const auto mirror = silhouette_of(*light.mirror, world_.rig().cameras[side_], world_.rig().camera_from_rig[side_],
-                                      world_.settings().sensor.optical_sigma_px);
+    const double blur_px = world_.settings().sensor.optical_sigma_px;
+    const auto mirror = silhouette_of(*light.mirror, world_.rig().cameras[side_], camera_from_reference, blur_px);
     if (mirror) masks.push_back({.silhouette = *mirror, .shows_inside = true});
-    if (mirror) depth_mm = mirror->depth_mm;
+    shown_at_mm = crossing_mm(*light.mirror, camera_mm, truth.in_reference_mm);
   }
   const double reach_px = kMaskReachSigmas * truth.core_sigma_px * std::sqrt(light.elongation) + kMaskMargin_px;
   for (const Figure& figure : world_.figures(side_)) {
     const Silhouette& seen = figure.silhouette;
-    if (seen.depth_mm > depth_mm - kTouching_mm) continue;
+    if (!is_between(*figure.surface.outline, camera_mm, shown_at_mm)) continue;
     if (std::abs(seen.center.u_px - truth.at.u_px) > seen.reach_px.x() + reach_px) continue;
     if (std::abs(seen.center.v_px - truth.at.v_px) > seen.reach_px.y() + reach_px) continue;
     masks.push_back({.silhouette = seen});
@@ -150,7 +168,7 @@ LightTruth FrameRenderer::add_light(const LightSource& light, Duration exposed_s
   truth.core_sigma_px = sigma_px(light, sensor.optical_sigma_px, px_per_mm);
   truth.peak = energy / (2.0 * std::numbers::pi * truth.core_sigma_px * truth.core_sigma_px);
   truth.visible = inside(sight->at, raw_.size());
-  const std::vector<Mask> masks = masks_before(light, truth, sight->depth_mm);
+  const std::vector<Mask> masks = masks_before(light, truth);
   if (!masks.empty()) truth.visible_share = seen_share(truth, light.elongation, masks, world_.normal());
   const double seen_energy = energy * truth.visible_share;
   add_gaussian(light, truth, {truth.core_sigma_px, light.elongation, energy, masks});

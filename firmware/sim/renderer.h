@@ -72,8 +72,7 @@ class FrameRenderer {
   };
   [[nodiscard]] std::optional<Sight> sight_of(const LightSource& light, Duration since_1970) const;
   [[nodiscard]] std::optional<Sight> sight_by_row(const LightSource& light, LightTruth& truth) const;
-  [[nodiscard]] std::vector<Mask> masks_before(const LightSource& light, const LightTruth& truth,
-                                               double depth_mm) const;
+  [[nodiscard]] std::vector<Mask> masks_before(const LightSource& light, const LightTruth& truth) const;
   LightTruth add_light(const LightSource& light, Duration exposed_since_1970);
   void add_gaussian(const LightSource& light, const LightTruth& truth, const Gaussian& part);
   void expose(std::uint64_t number);

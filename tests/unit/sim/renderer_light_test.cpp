@@ -63,6 +63,21 @@ TEST(RendererLightTest, WhatIsBehindALightHidesNothing) {
   EXPECT_EQ(seen_left(settings).truth.visible_share, 1.0);
 }
 
+TEST(RendererLightTest, TiltedPlateHidesWhatIsBehindItsPlaneAndNotWhatSitsBeforeIt) {
+  // The plate's centre is at 400 mm; at x = 30 mm its plane lies at 430 mm.
+  const double slant = std::numbers::sqrt2 / 2.0;
+  SimulationSettings settings = straight_settings();
+  settings.scene.surfaces = {{.outline = Outline{.center_in_reference_mm = {0.0, 0.0, 400.0},
+                                                 .half_axes_mm = {90.0, 90.0},
+                                                 .shape = Shape::kBox,
+                                                 .facing = {slant, 0.0, -slant}}}};
+  settings.scene.lights[0].mount = Mount::kReference;
+  settings.scene.lights[0].place_mm = {30.0, 0.0, 420.0};
+  EXPECT_EQ(seen_left(settings).truth.visible_share, 1.0);
+  settings.scene.lights[0].place_mm = {30.0, 0.0, 440.0};
+  EXPECT_NEAR(seen_left(settings).truth.visible_share, 0.0, 1e-4);
+}
+
 TEST(RendererLightTest, HiddenLightLeavesNeitherHaloNorVeil) {
   SimulationSettings settings = straight_settings();
   settings.scene.lights[0].halo_share = 0.05;
