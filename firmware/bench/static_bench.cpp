@@ -1,5 +1,6 @@
 // Static error of one LED over the working volume, from rendered frames through the detector to a point in space.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -19,7 +20,8 @@ namespace tripoint::bench {
 namespace {
 
 constexpr double kBound_px = 0.05;
-constexpr int kFrames = 30;
+constexpr std::size_t kAveraged = 30;  // frames of an average
+constexpr std::size_t kAverages = 4;   // at each place: of a single one, chance alone moves the figure by 5 %
 constexpr int kCalibrations = 24;
 constexpr double kBorder_px = 12.0;  // six sigma of a spot: seen whole
 constexpr double kMaxMiss_px = 2.0;  // a spot further from the truth than that is another thing
@@ -87,43 +89,75 @@ std::optional<MeasuredPixel> spot_near(const Detection& detection, const RawPixe
   return std::nullopt;
 }
 
-using SeenPair = PerSide<MeasuredPixel>;
+using SeenPair = PerSide<std::optional<MeasuredPixel>>;
 
-/// What the detector measured, and how far it was off in the picture.
-struct Sightings {
-  std::vector<std::vector<SeenPair>> at_place;  ///< for each place, one for each frame in which both found it
-  int asked = 0;
-  int found = 0;
-  double squares_px2 = 0.0;  ///< over both axes of all found spots
+/// What the detector made of frames of a LED that stands still.
+struct Place {
+  PerSide<RawPixel> truth;
+  std::vector<SeenPair> frames;
 };
 
-Sightings sightings_of(SimulationSettings settings, const std::vector<Vec3>& places_mm) {
-  Sightings sightings;
+Place seen_at(const SimulatedWorld& world, std::uint64_t first_number, LedDetector& detector) {
+  Place place;
+  place.frames.resize(kAverages * kAveraged);
+  for (const Side side : kBothSides) {
+    FrameRenderer renderer(world, side);
+    std::uint64_t number = first_number;
+    for (SeenPair& seen : place.frames) {
+      const RenderedFrame& frame = renderer.render(Duration{0}, number++);
+      place.truth[side] = frame.truth.lights[0].at;
+      seen[side] = spot_near(detector.detect(picture_of(frame_of(frame)), {}), place.truth[side]);
+    }
+  }
+  return place;
+}
+
+std::vector<Place> seen_at(const std::vector<Vec3>& places_mm, SimulationSettings settings) {
+  std::vector<Place> seen;
   LedDetector detector{LedDetectorSettings{}};
-  std::uint64_t number = 0;
   for (const Vec3& place_mm : places_mm) {
     settings.trajectory = standing_at(place_mm);
     const SimulatedWorld world = SimulatedWorld::create(settings).value();
-    PerSide<FrameRenderer> renderers{{world, Side::kLeft}, {world, Side::kRight}};
-    std::vector<SeenPair>& seen = sightings.at_place.emplace_back();
-    for (int i = 0; i < kFrames; ++i, ++number) {
-      SeenPair pair;
-      bool both = true;
-      for (const Side side : kBothSides) {
-        const RenderedFrame& frame = renderers[side].render(Duration{0}, number);
-        const RawPixel truth = frame.truth.lights[0].at;
-        const std::optional<MeasuredPixel> spot = spot_near(detector.detect(picture_of(frame_of(frame)), {}), truth);
-        ++sightings.asked;
-        both = both && spot;
+    seen.push_back(seen_at(world, seen.size() * kAverages * kAveraged, detector));
+  }
+  return seen;
+}
+
+/// Errors in the picture, over both axes of all spots.
+struct PixelError {
+  int asked = 0;
+  int found = 0;
+  double rms_px = 0.0;
+  double bias_px = 0.0;  ///< RMS over the places of what no average takes away
+};
+
+PixelError pixel_error_of(const std::vector<Place>& places) {
+  PixelError error;
+  double squares_px2 = 0.0;
+  double bias_px2 = 0.0;
+  for (const Place& place : places) {
+    for (const Side side : kBothSides) {
+      std::array<Vec2, kAverages> means_px;
+      means_px.fill(Vec2::Zero());
+      for (std::size_t i = 0; i < place.frames.size(); ++i) {
+        ++error.asked;
+        const std::optional<MeasuredPixel>& spot = place.frames[i][side];
         if (!spot) continue;
-        ++sightings.found;
-        sightings.squares_px2 += std::pow(spot->at.u_px - truth.u_px, 2) + std::pow(spot->at.v_px - truth.v_px, 2);
-        pair[side] = *spot;
+        ++error.found;
+        const Vec2 off_px(spot->at.u_px - place.truth[side].u_px, spot->at.v_px - place.truth[side].v_px);
+        squares_px2 += off_px.squaredNorm();
+        means_px[i / kAveraged] += off_px / static_cast<double>(kAveraged);
       }
-      if (both) seen.push_back(pair);
+      // Noise of two averages does not correlate: the mean of their products is the bias alone.
+      Vec2 sum_px = Vec2::Zero();
+      double own_px2 = 0.0;
+      for (const Vec2& mean_px : means_px) sum_px += mean_px, own_px2 += mean_px.squaredNorm();
+      bias_px2 += (sum_px.squaredNorm() - own_px2) / (kAverages * (kAverages - 1));
     }
   }
-  return sightings;
+  error.rms_px = std::sqrt(squares_px2 / (2.0 * error.found));
+  error.bias_px = std::sqrt(std::max(0.0, bias_px2) / (4.0 * static_cast<double>(places.size())));
+  return error;
 }
 
 struct StaticError {
@@ -132,28 +166,33 @@ struct StaticError {
 };
 
 /// RMS over all places, calibrations and frames; after the rigid motion of registration.
-StaticError error_of(const Sightings& sightings, const std::vector<Vec3>& places_mm,
+StaticError error_of(const std::vector<Place>& places, const std::vector<Vec3>& places_mm,
                      const std::vector<DrawnCalibration>& calibrations) {
   double single_mm2 = 0.0;
   double average_mm2 = 0.0;
   double singles = 0.0;
   double averages = 0.0;
   for (const DrawnCalibration& drawn : calibrations) {
-    for (std::size_t i = 0; i < places_mm.size(); ++i) {
-      Vec3 sum_mm = Vec3::Zero();
-      double count = 0.0;
-      for (const SeenPair& pair : sightings.at_place[i]) {
-        const Result<TriangulatedPoint> point = triangulated(drawn.rig, pair);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::array<Vec3, kAverages> sums_mm;
+      sums_mm.fill(Vec3::Zero());
+      std::array<double, kAverages> counts{};
+      for (std::size_t frame = 0; frame < places[i].frames.size(); ++frame) {
+        const SeenPair& seen = places[i].frames[frame];
+        if (!seen.left || !seen.right) continue;
+        const Result<TriangulatedPoint> point = triangulated(drawn.rig, {*seen.left, *seen.right});
         if (!point) continue;
         const Vec3 error_mm = drawn.truth_from_drawn * point->in_rig_mm - places_mm[i];
         single_mm2 += error_mm.squaredNorm();
-        sum_mm += error_mm;
-        count += 1.0;
+        sums_mm[frame / kAveraged] += error_mm;
+        counts[frame / kAveraged] += 1.0;
       }
-      if (count == 0.0) continue;
-      singles += count;
-      average_mm2 += (sum_mm / count).squaredNorm();
-      averages += 1.0;
+      for (std::size_t k = 0; k < kAverages; ++k) {
+        if (counts[k] == 0.0) continue;
+        singles += counts[k];
+        average_mm2 += (sums_mm[k] / counts[k]).squaredNorm();
+        averages += 1.0;
+      }
     }
   }
   return {.single_mm = std::sqrt(single_mm2 / singles), .average_mm = std::sqrt(average_mm2 / averages)};
@@ -184,11 +223,12 @@ std::vector<Figure> figures_of(const Setup& setup) {
   const RigCovariance covariance = adjustment_covariance(truth, kBound_px, 1);
   const std::vector<DrawnCalibration> calibrations =
       drawn_calibrations(truth, covariance, places_mm, setup.calibration_mm, kCalibrations);
-  const Sightings sightings = sightings_of(settings_with_bound(truth), places_mm);
-  const StaticError error = error_of(sightings, places_mm, calibrations);
-  std::fprintf(stderr, "%s: %zu places, %d of %d spots found, %.4f px RMS per axis\n", setup.name.c_str(),
-               places_mm.size(), sightings.found, sightings.asked,
-               std::sqrt(sightings.squares_px2 / (2.0 * sightings.found)));
+  const std::vector<Place> places = seen_at(places_mm, settings_with_bound(truth));
+  const PixelError in_picture = pixel_error_of(places);
+  const StaticError error = error_of(places, places_mm, calibrations);
+  std::fprintf(
+      stderr, "%s: %zu places, %d of %d spots found, %.4f px RMS per axis, of which %.4f px never average out\n",
+      setup.name.c_str(), places_mm.size(), in_picture.found, in_picture.asked, in_picture.rms_px, in_picture.bias_px);
   return {at_most({.name = "static_rms_mm_" + setup.name + "_1", .value = error.single_mm, .unit = "mm"},
                   setup.goal_single_mm),
           at_most({.name = "static_rms_mm_" + setup.name + "_30", .value = error.average_mm, .unit = "mm"},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "line/detect/falloff.h"
+#include "line/detect/ground.h"
 
 namespace tripoint {
 namespace {
@@ -148,11 +149,13 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
 }
 
 DropCause Inspector::fit(const Picture& picture) {
+  const Ground ground{.luma = around_.ground(Channel::kLuma), .noise = around_.noise(Channel::kLuma)};
   const auto measured = measurer_.measure({.window = window_,
                                            .flood = flood_,
                                            .area = area_,
                                            .around = around_,
-                                           .level = static_cast<double>(seen_.level)});
+                                           .level = static_cast<double>(seen_.level),
+                                           .luma_slope = ground_slope(picture, seen_.at, area_.radius_px(), ground)});
   if (!measured) return DropCause::kFitFailed;
   note(*measured);
   const DropCause cause = check(*measured, picture);

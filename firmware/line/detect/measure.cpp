@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace tripoint {
 namespace {
@@ -10,9 +11,8 @@ namespace {
 constexpr double kLargestLumaShare = 1.15;  ///< the spot may not be wider in Y than in S
 constexpr double kSameCenter = 0.2;         ///< px, and of the radius: Y's centre against the area's
 constexpr double kFade_px = 3.0;            ///< over more than the mosaic's cell of 2 px
-constexpr double kReach =
-    1.6;  ///< of the radius at half contrast, 1.9 sigma: a wider window costs more and tells no more
-constexpr double kRoughly_px = 0.1;  ///< a first fit that another one follows need not settle further
+constexpr double kReach = 1.6;              ///< of the radius at half contrast: 1.9 sigma
+constexpr double kRoughly_px = 0.1;         ///< a first fit that another one follows need not settle further
 
 double distance_px(const SpotModel& model, const Area& area) {
   return std::hypot(model.column - area.column, model.row - area.row);
@@ -20,6 +20,13 @@ double distance_px(const SpotModel& model, const Area& area) {
 
 double share_of_radius(const SpotModel& model, const IsolatedSpot& spot) {
   return model.sigma_px * std::sqrt(-2.0 * std::log(spot.level)) / spot.area.radius_px();
+}
+
+/// One row of luma without its ground, which starts at `ground` and rises by `slope` a column.
+void level(const std::uint8_t* lumas, double ground, double slope, std::span<float> values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = static_cast<float>(lumas[i]) - static_cast<float>(ground + slope * static_cast<double>(i));
+  }
 }
 
 }  // namespace
@@ -71,18 +78,19 @@ void SpotMeasurer::note_clipped(const IsolatedSpot& spot) {
   });
 }
 
+/// Luma on level ground: what the slope of the ground explains is taken off.
 void SpotMeasurer::fill(const IsolatedSpot& spot, Channel channel) {
-  const int columns = box_.right - box_.left + 1;
-  fit_window_.resize(columns, box_.bottom - box_.top + 1);
+  fit_window_.resize(box_.right - box_.left + 1, box_.bottom - box_.top + 1);
+  const auto columns = static_cast<std::size_t>(fit_window_.columns());
   for (int row = 0; row < fit_window_.rows(); ++row) {
-    float* values = fit_window_.values(row);
     const std::size_t first = SpotWindow::index(box_.left, box_.top + row);
+    const std::span<float> values(fit_window_.values(row), columns);
     if (channel == Channel::kLuma) {
-      const std::uint8_t* lumas = spot.window.lumas(first);
-      for (int i = 0; i < columns; ++i) values[i] = static_cast<float>(lumas[i]);
+      const Vec2 beside_px(box_.left - spot.area.column, box_.top + row - spot.area.row);
+      level(spot.window.lumas(first), spot.luma_slope.dot(beside_px), spot.luma_slope.x(), values);
     } else {
       const std::int16_t* strengths = spot.window.strengths(first);
-      for (int i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
+      for (std::size_t i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
     }
   }
   show_disc(spot);
@@ -122,9 +130,7 @@ SpotFit SpotMeasurer::fitted_with_fading_core(const IsolatedSpot& spot, const Sp
 
 std::optional<SpotMeasurement> SpotMeasurer::measure_on(const IsolatedSpot& spot, Channel channel) {
   fill(spot, channel);
-  const bool by_luma = channel == Channel::kLuma;
-  const SpotModel start =
-      threshold_subtracted_start(fit_window_, by_luma ? spot.around.luma : 0.25 * spot.around.strength);
+  const SpotModel start = threshold_subtracted_start(fit_window_, spot.around.ground(channel));
   hide_clipped(spot, true);
   auto fit = clipped_.empty() ? fit_spot(fit_window_, start) : fit_spot(fit_window_, start, kRoughly_px);
   if (fit && !clipped_.empty()) fit = fitted_with_fading_core(spot, *fit);
@@ -134,7 +140,7 @@ std::optional<SpotMeasurement> SpotMeasurer::measure_on(const IsolatedSpot& spot
   if (distance_px(fit->model, spot.area) >= 0.5 * spot.area.radius_px() + 0.7) return std::nullopt;
   return SpotMeasurement{.fit = *fit,
                          .channel = channel,
-                         .ground_noise = by_luma ? spot.around.luma_noise : 0.25 * spot.around.strength_noise,
+                         .ground_noise = spot.around.noise(channel),
                          .share_of_radius = share_of_radius(fit->model, spot),
                          .hidden_pixels = static_cast<int>(clipped_.size()),
                          .peak_luma = peak_luma_};

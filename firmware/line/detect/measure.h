@@ -13,8 +13,6 @@
 
 namespace tripoint {
 
-enum class Channel : std::uint8_t { kLuma, kStrength };
-
 /// What the gates have found of a spot: the area that stands alone at `level` of the contrast.
 struct IsolatedSpot {
   const SpotWindow& window;
@@ -22,6 +20,7 @@ struct IsolatedSpot {
   Area area;
   Surround around;
   double level = 0.5;
+  Vec2 luma_slope = Vec2::Zero();  ///< of the ground, steps per column and row
 };
 
 struct SpotMeasurement {

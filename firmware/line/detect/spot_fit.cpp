@@ -137,12 +137,11 @@ SpotModel stepped(const SpotModel& model, const Vector5& scaled_step) {
           .background = model.background + scaled_step(3)};
 }
 
-using Solver = Eigen::LDLT<Matrix5>;
-
 /// What the normal equations at a place next to the minimum say of the minimum: they differ only in the residuals, and
 /// there by what the step to it, times the gradient, takes off the sum of squares.
-std::optional<SpotFit> fit_from(const Normal& normal, const Solver& solver, const SpotModel& model,
-                                const Vector5& scaled_step) {
+/// Its covariance is that of the bare equations: damping would hide a direction that the pixels hardly tell.
+std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model, const Vector5& scaled_step) {
+  const Eigen::LDLT<Matrix5> solver(normal.matrix);
   if (!solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
   Matrix2 inverse;
   inverse << solver.solve(Vector5::Unit(0)).head<2>(), solver.solve(Vector5::Unit(1)).head<2>();
@@ -158,12 +157,12 @@ std::optional<SpotFit> fit_from(const Normal& normal, const Solver& solver, cons
   return fit;
 }
 
-/// A trace of damping keeps a step finite where hardly a pixel shows; it takes a thousandth off the covariance.
-Solver damped(const Normal& normal) {
+/// A trace of damping keeps the step finite where hardly a pixel shows.
+Vector5 damped_step(const Normal& normal) {
   Matrix5 matrix = normal.matrix;
   matrix.diagonal() *= 1.0 + kDamping;
   matrix.diagonal().array() += 1e-9;
-  return Solver(matrix);
+  return matrix.ldlt().solve(normal.gradient);
 }
 
 /// Moments of what rises above a threshold, row by row.
@@ -253,14 +252,13 @@ std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start,
   for (int step = 1;; ++step) {
     const Normal normal = normal_equations(window, model);
     if (normal.pixels < kFewestPixels) return std::nullopt;
-    const Solver solver = damped(normal);
-    const Vector5 scaled_step = solver.solve(normal.gradient);
+    const Vector5 scaled_step = damped_step(normal);
     if (!scaled_step.allFinite()) return std::nullopt;
     const double moved_px =
         std::max(scaled_step.head<2>().cwiseAbs().maxCoeff(), std::abs(scaled_step(4))) / model.amplitude;
-    if (step > kMaxSteps) return fit_from(normal, solver, model, Vector5::Zero());
+    if (step > kMaxSteps) return fit_from(normal, model, Vector5::Zero());
     model = stepped(model, scaled_step);
-    if (moved_px < settled_px) return fit_from(normal, solver, model, scaled_step);
+    if (moved_px < settled_px) return fit_from(normal, model, scaled_step);
   }
 }
 

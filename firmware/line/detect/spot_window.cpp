@@ -39,20 +39,19 @@ void SpotWindow::load_row(const Picture& picture, int row) {
   }
 }
 
-/// The same as four pairs, where the neighbours are known to exist.
+/// The same as four pairs, where the neighbours are known to exist. A pair is one word: Y0 U Y1 V.
 void SpotWindow::load_eight(const std::uint8_t* yuyv, std::size_t i) {
-  const auto here = loaded<Bytes16>(yuyv);
-  const auto before = loaded<Bytes16>(yuyv - 4);
-  const auto after = loaded<Bytes16>(yuyv + 4);
-  const Bytes8 luma = __builtin_shufflevector(here, here, 0, 2, 4, 6, 8, 10, 12, 14);
-  const Bytes8 own = __builtin_shufflevector(here, here, 3, 3, 7, 7, 11, 11, 15, 15);
-  const Bytes8 neighbour = __builtin_shufflevector(before, after, 3, 19, 7, 23, 11, 27, 15, 31);
-  const Shorts8 strength =
-      (__builtin_convertvector(luma, Shorts8) + __builtin_convertvector(own, Shorts8)) * static_cast<std::uint16_t>(3) +
-      __builtin_convertvector(neighbour, Shorts8);
-  store(luma_.data() + i, luma);
-  store(red_.data() + i, own);
-  store(strength_.data() + i, strength);
+  const auto pairs = loaded<Words4>(yuyv);
+  const auto luma = reinterpret_cast<Shorts8>(pairs & 0x00FF00FFU);
+  const Words4 red = pairs >> 24U;
+  const auto own = reinterpret_cast<Shorts8>(red | red << 16U);
+  const Words4 before = loaded<Words4>(yuyv - 4) >> 24U;
+  const Words4 after = loaded<Words4>(yuyv + 4) >> 24U;
+  const auto neighbour = reinterpret_cast<Shorts8>(before | after << 16U);
+  const Shorts8 both = luma + own;
+  store(strength_.data() + i, both + both + both + neighbour);
+  store(luma_.data() + i, narrowed(luma));
+  store(red_.data() + i, narrowed(own));
 }
 
 /// A chroma sample sits between its two pixels: V' is three parts of the own and one of the neighbour's.

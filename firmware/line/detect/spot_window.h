@@ -10,6 +10,9 @@
 
 namespace tripoint {
 
+/// What is measured of a pixel: Y, or a quarter of S, which is on the same scale.
+enum class Channel : std::uint8_t { kLuma, kStrength };
+
 /// Coordinates are window columns and rows; add `left_px` and `top_px` for the picture's.
 class SpotWindow {
  public:

@@ -15,6 +15,12 @@ struct Surround {
   double crowding = 0.0;    ///< share of the ring above 40 % of the contrast
   double luma_noise = 0.0;  ///< standard deviations, from the 20th to the 80th percentile
   double strength_noise = 0.0;
+
+  /// The 40th percentile and the standard deviation on the channel's scale.
+  [[nodiscard]] double ground(Channel channel) const { return channel == Channel::kLuma ? luma : 0.25 * strength; }
+  [[nodiscard]] double noise(Channel channel) const {
+    return channel == Channel::kLuma ? luma_noise : 0.25 * strength_noise;
+  }
 };
 
 /// Outer radius of that ring.

@@ -1,10 +1,13 @@
 // Sixteen bytes at a time, in the compilers' own vector types: the same source for x86 and ARM.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
 namespace tripoint {
+
+static_assert(std::endian::native == std::endian::little, "bytes are picked out of words");
 
 using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
 using Bytes8 = std::uint8_t __attribute__((vector_size(8)));
@@ -23,6 +26,11 @@ Vector loaded(const void* from) {
 template <typename Vector>
 void store(void* to, Vector value) {
   std::memcpy(to, &value, sizeof value);
+}
+/// The low byte of each.
+inline Bytes8 narrowed(Shorts8 v) {
+  const auto bytes = reinterpret_cast<Bytes16>(v);
+  return __builtin_shufflevector(bytes, bytes, 0, 2, 4, 6, 8, 10, 12, 14);
 }
 inline Bytes16 larger(Bytes16 a, Bytes16 b) { return a > b ? a : b; }
 /// a - b, but not below 0.

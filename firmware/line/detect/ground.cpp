@@ -1,0 +1,106 @@
+#include "line/detect/ground.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "line/detect/vectors.h"
+
+namespace tripoint {
+namespace {
+
+constexpr double kRoughest = 3.0;  // a step of that height moves a spot by less than its floor
+constexpr double kOfNoise = 4.0;
+constexpr double kFewest = 64.0;  // pixels of a plane
+constexpr int kStep_px = 2;       // every second pixel of every second row: noise averages out over the ring
+constexpr int kVector_px = 4 * kStep_px;
+
+/// A ring in the picture, and what of it belongs to the ground.
+struct Ring {
+  int column = 0;  ///< middle
+  int row = 0;
+  int inner_px2 = 0;  ///< squares of the radii
+  int outer_px2 = 0;
+  int luma = 0;
+  int limit = 0;  ///< less than that above and below `luma`
+};
+
+int sum(Ints4 v) { return v[0] + v[1] + v[2] + v[3]; }
+
+/// Every second of eight pixels.
+Ints4 four_lumas(const Plane& luma, int u, int v) {
+  const std::uint8_t* first =
+      luma.data + static_cast<std::size_t>(v) * luma.stride_bytes + static_cast<std::size_t>(u) * luma.step_bytes;
+  if (luma.step_bytes == 2) return reinterpret_cast<Ints4>(loaded<Words4>(first) & 0xFFU);
+  const auto eight = loaded<Bytes8>(first);
+  return __builtin_convertvector(__builtin_shufflevector(eight, eight, 0, 2, 4, 6), Ints4);
+}
+
+/// The plane rise = a + b x + c y by least squares, x and y from the ring's middle.
+class RisingPlane {
+ public:
+  /// Adds the pixels of one row, from column `first` in whole vectors up to `last`.
+  void add_row(const Plane& luma, const Ring& ring, int v, int first, int last) {
+    const int y = v - ring.row;
+    Ints4 x = Ints4{0, kStep_px, 2 * kStep_px, 3 * kStep_px} + (first - ring.column);
+    Ints4 n{}, sum_x{}, sum_rise{};
+    for (int u = first; u + kVector_px - 1 <= last; u += kVector_px, x += kVector_px) {
+      const Ints4 rise = four_lumas(luma, u, v) - ring.luma;
+      const Ints4 xx = x * x;
+      const Ints4 distance_px2 = xx + y * y;
+      const Ints4 kept = (distance_px2 > ring.inner_px2) & (distance_px2 < ring.outer_px2) & (rise < ring.limit) &
+                         (rise > -ring.limit);
+      const Ints4 kept_rise = rise & kept;
+      n -= kept;
+      sum_x += x & kept;
+      sum_rise += kept_rise;
+      xx_ += xx & kept;
+      x_rise_ += x * kept_rise;
+    }
+    n_ += n, x_ += sum_x, rise_ += sum_rise;
+    y_ += y * n, yy_ += y * y * n, xy_ += y * sum_x, y_rise_ += y * sum_rise;
+  }
+
+  /// @return b and c; zero when the pixels are too few or lie on a line
+  [[nodiscard]] Vec2 slope() const {
+    const double n = sum(n_);
+    if (n < kFewest) return Vec2::Zero();
+    const Vec2 mean = Vec2(sum(x_), sum(y_)) / n;
+    Matrix2 squares;
+    squares << sum(xx_), sum(xy_), sum(xy_), sum(yy_);
+    const Matrix2 spread = squares - n * mean * mean.transpose();
+    if (spread.determinant() < n) return Vec2::Zero();
+    return spread.inverse() * (Vec2(sum(x_rise_), sum(y_rise_)) - sum(rise_) * mean);
+  }
+
+ private:
+  // Sums over the kept pixels of 1, x, y, their products and their products with the rise, in four lanes.
+  Ints4 n_{}, x_{}, y_{}, xx_{}, xy_{}, yy_{}, rise_{}, x_rise_{}, y_rise_{};
+};
+
+int square_of(double radius_px) { return static_cast<int>(radius_px * radius_px); }
+
+}  // namespace
+
+Vec2 ground_slope(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground) {
+  if (ground.noise > kRoughest) return Vec2::Zero();
+  const double inner_px = 1.6 * radius_px + 3.0;  // outside of what the fit sees
+  const double outer_px = 3.0 * radius_px + 12.0;
+  const Ring ring{.column = static_cast<int>(std::lround(at.u_px)),
+                  .row = static_cast<int>(std::lround(at.v_px)),
+                  .inner_px2 = square_of(inner_px),
+                  .outer_px2 = square_of(outer_px),
+                  .luma = static_cast<int>(ground.luma),
+                  .limit = static_cast<int>(2.0 + kOfNoise * ground.noise)};
+  const auto reach = static_cast<int>(outer_px);
+  const int first = std::max(0, ring.column - reach);
+  const int last = std::min(picture.size.width_px - 1, ring.column + reach + kVector_px - 1);
+  const int bottom = std::min(picture.size.height_px - 1, ring.row + reach);
+  RisingPlane plane;
+  for (int v = std::max(0, ring.row - reach); v <= bottom; v += kStep_px) {
+    plane.add_row(picture.luma, ring, v, first, last);
+  }
+  return plane.slope();
+}
+
+}  // namespace tripoint
