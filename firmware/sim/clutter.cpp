@@ -48,11 +48,12 @@ ClutterStage drawn_stage(std::uint64_t seed, const ClutterChoice& choice, double
   Draws draws = stage.draws(ClutterTopic::kTarget);
   stage.white_level = draws.scaled(choice.white_level);
   stage.reference_from_target = drawn_pose(draws);
-  const auto kinds = static_cast<std::size_t>(choice.max_leds - choice.min_leds + 1);
-  const std::size_t leds = static_cast<std::size_t>(choice.min_leds) + draws.index(kinds);
+  const auto fewest = static_cast<std::size_t>(choice.min_leds);
+  const auto most = static_cast<std::size_t>(choice.max_leds);
+  const std::size_t leds = fewest + draws.index(most - fewest + 1);
   Vec3 middle_mm = Vec3::Zero();
   for (std::size_t i = 0; i < leds; ++i) middle_mm += kLeds_mm[i] / static_cast<double>(leds);
-  for (std::size_t i = 0; i < leds; ++i) stage.leds_in_target_mm.push_back(kLeds_mm[i] - middle_mm);
+  for (std::size_t i = 0; i < leds; ++i) stage.leds_in_target_mm.emplace_back(kLeds_mm[i] - middle_mm);
   stage.sensor = drawn_sensor(stage.draws(ClutterTopic::kSensor), choice.size);
   return stage;
 }
@@ -65,7 +66,7 @@ SimulationSettings clutter_settings(std::uint64_t seed, const ClutterChoice& cho
   const ClutterStage stage = drawn_stage(seed, choice, settings.rig.cameras.left.focal_px.mean());
   settings.seed = seed;
   settings.sensor = stage.sensor;
-  settings.trajectory = {.period = std::chrono::seconds{1},
+  settings.trajectory = {.period = std::chrono::seconds{12},
                          .reference_from_target = [pose = stage.reference_from_target](double) { return pose; }};
   settings.scene.white_level = stage.white_level;
   settings.scene.surfaces = clutter_surfaces(stage);

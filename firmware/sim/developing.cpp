@@ -100,7 +100,7 @@ void Developer::demosaic_row(const RawPlane& raw, int y) {
 
 void Developer::tone_row() {
   const auto toned = [this](float value) {
-    return curve_[static_cast<std::size_t>(std::clamp(value, 0.0F, 4.0F * kClipCounts) + 0.5F)];
+    return curve_[static_cast<std::size_t>(std::lround(std::clamp(value, 0.0F, 4.0F * kClipCounts)))];
   };
   for (std::size_t x = 0; x < red_.size(); ++x) {
     const Eigen::Vector3f color = color_matrix_ * Eigen::Vector3f(red_[x], green_[x], blue_[x]);

@@ -4,6 +4,9 @@
 
 namespace tripoint {
 
-double Draws::scaled(const Range& range) { return range.low * std::pow(range.high / range.low, unit()); }
+double Draws::scaled(const Range& range) {
+  const double share = unit();
+  return range.low == range.high ? range.low : range.low * std::pow(range.high / range.low, share);
+}
 
 }  // namespace tripoint

@@ -22,7 +22,7 @@ class Draws {
 
   double even(double low, double high) { return low + (high - low) * unit(); }
   double even(const Range& range) { return even(range.low, range.high); }
-  /// Evenly in the logarithm; both limits above 0.
+  /// Evenly in the logarithm; both limits above 0, or equal.
   double scaled(const Range& range);
   double normal() { return normal_from(next()); }
   bool chance(double probability) { return unit() < probability; }

@@ -101,7 +101,7 @@ int run(int argc, char** argv) {
   app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
   app.add_option("--scenario", options.scenario,
                  "paper-linear, paper-circular, scout (periods 12, 12, 6 s), static-volume (81 s), or clutter:\n"
-                 "a still target among things like LEDs, another scene with each seed (1 s)");
+                 "a still target among things like LEDs, another scene with each seed (12 s)");
   app.add_option("--trajectory", options.trajectory, "CSV file as host-tool simulate writes it, instead of a scenario");
   app.add_option("--width", options.width_px, "of a picture, px: 320, 640 or 1280");
   app.add_option("--height", options.height_px, "of a picture, px: 240, 480 or 720");

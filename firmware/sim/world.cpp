@@ -56,8 +56,9 @@ SimulatedWorld::SimulatedWorld(SimulationSettings settings, TimePoint start, Rig
     const CameraModel& camera = rig_.cameras[side];
     figures_[side] = figures_of(settings_.scene, camera, rig_.camera_from_rig[side], blur_px);
     backgrounds_[side] = painted(settings_.scene, figures_[side], camera.size, normal_);
-    for (const std::size_t pixel :
-         hot_pixels(settings_.sensor, camera.size, 2 * settings_.seed + (side == Side::kLeft ? 0 : 1))) {
+    hot_pixels_[side] =
+        tripoint::hot_pixels(settings_.sensor, camera.size, 2 * settings_.seed + (side == Side::kLeft ? 0 : 1));
+    for (const std::size_t pixel : hot_pixels_[side]) {
       backgrounds_[side][pixel] += static_cast<float>(settings_.sensor.hot_pixel_level);
     }
   }

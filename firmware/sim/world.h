@@ -1,6 +1,7 @@
 // The simulated world: everything that two simulated cameras share. It never changes once it is made.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,8 @@ class SimulatedWorld {
   [[nodiscard]] const NormalIntegral& normal() const { return normal_; }
   /// What hides lights behind it, the farthest first.
   [[nodiscard]] const std::vector<Figure>& figures(Side side) const { return figures_[side]; }
+  /// Places in the picture, row by row.
+  [[nodiscard]] const std::vector<std::size_t>& hot_pixels(Side side) const { return hot_pixels_[side]; }
   /// Mean level of each pixel under the mosaic without any light source, row by row, in units of clip.
   [[nodiscard]] const std::vector<float>& background(Side side) const { return backgrounds_[side]; }
 
@@ -39,6 +42,7 @@ class SimulatedWorld {
   NoiseTable noise_;
   NormalIntegral normal_;
   PerSide<std::vector<Figure>> figures_;
+  PerSide<std::vector<std::size_t>> hot_pixels_;
   PerSide<std::vector<float>> backgrounds_;
 };
 

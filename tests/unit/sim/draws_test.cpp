@@ -49,7 +49,8 @@ TEST(DrawsTest, ScaledDrawsAreEvenInTheLogarithm) {
   int below = 0;
   for (int i = 0; i < kCount; ++i) below += draws.scaled({0.01, 1.0}) < 0.1 ? 1 : 0;
   EXPECT_NEAR(below, 0.5 * kCount, 5.0 * std::sqrt(0.25 * kCount));
-  EXPECT_DOUBLE_EQ(draws.scaled({0.05, 0.05}), 0.05);
+  EXPECT_EQ(draws.scaled({0.05, 0.05}), 0.05);
+  EXPECT_EQ(draws.scaled({0.0, 0.0}), 0.0);
 }
 
 TEST(DrawsTest, ChanceAndIndexHitTheirShares) {

@@ -82,13 +82,11 @@ TEST(PaintingTest, HotPixelsAreExactlyTheSeededOnesAndNoneByDefault) {
   const SimulatedWorld world = world_of(settings);
   const SimulatedWorld again = world_of(settings);
   for (const Side side : kBothSides) {
-    int hot = 0;
-    for (const float level : world.background(side)) {
-      EXPECT_TRUE(level == 0.0F || level == 0.3F);
-      hot += level > 0.0F ? 1 : 0;
-    }
-    EXPECT_EQ(hot, 31);  // of 307,200, none drawn twice with this seed
-    EXPECT_EQ(world.background(side), again.background(side));
+    const std::vector<float>& levels = world.background(side);
+    EXPECT_EQ(world.hot_pixels(side).size(), 31U);  // of 307,200, none drawn twice with this seed
+    EXPECT_EQ(std::ranges::count(levels, 0.0F), 307'200 - 31);
+    for (const std::size_t pixel : world.hot_pixels(side)) EXPECT_EQ(levels[pixel], 0.3F);
+    EXPECT_EQ(levels, again.background(side));
   }
   EXPECT_NE(world.background(Side::kLeft), world.background(Side::kRight));
   settings.sensor.hot_pixel_share = 0.0;
