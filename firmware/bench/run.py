@@ -131,7 +131,7 @@ def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
     figures += of_program(programs / "bench_exposure")
-    figures += of_instructions(programs)
+    figures += of_instructions(programs) + of_program(programs / "bench_mjpeg")
     figures += [figure for figure in of_program(programs / "bench_modbus") if figure["name"] == "torn_reads"]
     figures += of_the_unit(programs)
     output.write_text(json.dumps(figures, indent=1) + "\n")

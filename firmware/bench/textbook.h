@@ -16,6 +16,8 @@ class Textbook {
 
   /// Centres in px of every red contour of more than 3 px area; valid until the next call.
   const std::vector<cv::Point2d>& spots(const std::uint8_t* yuyv, ImageSize size);
+  /// The same for a picture that is BGR already.
+  const std::vector<cv::Point2d>& spots_of_bgr(const cv::Mat& bgr);
 
  private:
   cv::Mat kernel_, bgr_, hsv_, low_hue_, high_hue_, red_, opened_;
