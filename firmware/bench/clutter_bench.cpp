@@ -4,6 +4,7 @@
 // A table on stderr, one row for each kind of scene; the figures of the first row on stdout. --list names each miss and
 // each false point, for tripoint-render --scenario clutter and a look at the picture.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -44,7 +45,8 @@ struct Tally {
   int found = 0;
   int covered = 0;
   double squares_px2 = 0.0;
-  std::map<std::string, int> misses;   ///< by cause
+  std::map<std::string, int> misses;  ///< by cause
+  std::array<int, kCompanyNames.size()> missed_in{};
   std::map<Origin, int> false_points;  ///< in single views
   PairCounts pairs;
 
@@ -67,6 +69,12 @@ class Eyes {
   LedDetector detector_{LedDetectorSettings{}};
 };
 
+/// The names are literals, which end with a zero.
+template <typename Names, typename Value>
+const char* text(const Names& names, Value value) {
+  return names[static_cast<std::size_t>(value)].data();
+}
+
 void list(const Row& row, std::uint64_t seed, Side side, const ViewScore& view) {
   const auto where = [&](const char* what, const RawPixel& at) {
     std::fprintf(stderr, "%s seed %llu %s (%.1f, %.1f) %s", row.name.c_str(), static_cast<unsigned long long>(seed),
@@ -75,12 +83,12 @@ void list(const Row& row, std::uint64_t seed, Side side, const ViewScore& view) 
   for (const LedScore& led : view.leds) {
     if (led.found) continue;
     where("missed", led.at);
-    std::fprintf(stderr, " %s peak %.2f\n", led.cause.c_str(), led.peak);
+    std::fprintf(stderr, " %s, %s, peak %.2f\n", led.cause.c_str(), text(kCompanyNames, led.company), led.peak);
   }
   for (const PointScore& point : view.points) {
     if (point.origin == Origin::kLed) continue;
     where("false", point.at);
-    std::fprintf(stderr, " %s\n", std::string(kOriginNames[static_cast<std::size_t>(point.origin)]).c_str());
+    std::fprintf(stderr, " %s\n", text(kOriginNames, point.origin));
   }
 }
 
@@ -89,6 +97,7 @@ void count(Tally& tally, const ViewScore& view) {
     ++tally.asked;
     if (!led.found) {
       ++tally.misses[led.cause];
+      ++tally.missed_in[static_cast<std::size_t>(led.company)];
       continue;
     }
     ++tally.found;
@@ -176,6 +185,9 @@ void print_row(const Row& row, const Tally& tally) {
                std::sqrt(tally.squares_px2 / std::max(1.0, 2.0 * tally.found)), of(Origin::kRedLamp),
                of(Origin::kReflection), of(Origin::kOtherLight), of(Origin::kHotPixel), of(Origin::kThing),
                tally.pairs.leds, tally.pairs.ghosts, tally.pairs.red_lights, tally.pairs.others);
+  for (std::size_t i = 0; i < kCompanyNames.size(); ++i)
+    std::fprintf(stderr, " %*d", i == 0 ? 5 : 6, tally.missed_in[i]);
+  std::fputs(" |", stderr);
   for (const auto& [cause, times] : tally.misses) std::fprintf(stderr, " %s %d", cause.c_str(), times);
   std::fputc('\n', stderr);
 }
@@ -187,11 +199,12 @@ std::vector<Figure> figures_of(const Tally& tally) {
 }
 
 int run(const Options& options) {
-  std::fprintf(stderr,
-               "%-24s %5s %6s %7s %6s | false points a view                | stereo pairs            | misses\n"
-               "%-24s %5s %6s %7s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | by cause\n",
-               "", "LEDs", "found", "in 3 s.", "RMS px", "", "", "", "", "", "lamp", "mirror", "light", "hot px",
-               "thing", "LED", "ghost", "red", "other");
+  std::fprintf(
+      stderr,
+      "%-24s %5s %6s %7s %6s | false points a view                | stereo pairs            | misses              |\n"
+      "%-24s %5s %6s %7s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | alone beside outsh. | misses by cause\n",
+      "", "LEDs", "found", "in 3 s.", "RMS px", "", "", "", "", "", "lamp", "mirror", "light", "hot px", "thing", "LED",
+      "ghost", "red", "other");
   std::vector<Figure> figures;
   for (const Row& row : rows()) {
     if (!options.row.empty() && options.row != row.name) continue;

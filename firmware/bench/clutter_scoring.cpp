@@ -13,6 +13,7 @@ namespace {
 constexpr double kFoundWithin_px = 1.0;
 constexpr double kSigmas = 3.0;
 constexpr double kSeenShare = 0.9;     // of an LED's light, above which it is to be found
+constexpr double kBesideShare = 0.1;   // of an LED's peak, below which another light does not disturb it
 constexpr double kShowsShare = 0.05;   // of a light, below which no point is about it
 constexpr double kSameThing_px = 2.0;  // a point this close to a light, or within two of its sigma, shows that light
 constexpr double kLookedAt_px = 3.0;   // a candidate this close to an LED, or within three of its sigma, is about it
@@ -33,6 +34,22 @@ bool is_to_be_found(const LightTruth& light, double elongation, ImageSize size) 
          light.at.v_px < size.height_px - 1.0 - margin_px;
 }
 
+Company company_of(const FrameTruth& truth, const Scene& scene, const LightTruth& led) {
+  double others_red = 0.0;
+  bool beside = false;
+  for (std::size_t i = 0; i < truth.lights.size(); ++i) {
+    const LightTruth& light = truth.lights[i];
+    if (&light == &led || light.core_sigma_px == 0.0) continue;
+    const double away_px = distance_px(light.at, led.at);
+    const double red = light.peak * light.visible_share * scene.lights[i].color[0];
+    others_red += red * std::exp(-0.5 * std::pow(away_px / light.core_sigma_px, 2));
+    beside =
+        beside || (red >= kBesideShare * led.peak && away_px < kSigmas * (light.core_sigma_px + led.core_sigma_px));
+  }
+  if (others_red >= 1.0) return Company::kOutshone;
+  return beside ? Company::kBeside : Company::kAlone;
+}
+
 /// The gates stand in the order of the causes: the largest came furthest.
 std::string cause_of_miss(const CandidateLog& candidates, const LightTruth& light) {
   const double reach_px = std::max(kLookedAt_px, 3.0 * light.core_sigma_px);
@@ -49,7 +66,7 @@ std::string cause_of_miss(const CandidateLog& candidates, const LightTruth& ligh
 }
 
 LedScore led_score(const Detection& detection, const CandidateLog& candidates, const LightTruth& light) {
-  LedScore score{.id = light.id, .at = light.at, .peak = light.peak, .cause = {}};
+  LedScore score{.id = light.id, .at = light.at, .peak = light.peak};
   score.error_px = std::numeric_limits<double>::infinity();
   for (const ImagePoint& point : detection.points) {
     const double error_px = distance_px(point.at, light.at);
@@ -107,6 +124,7 @@ ViewScore view_score(const Detection& detection, const CandidateLog& candidates,
     const LightTruth& light = truth.lights[i];
     if (is_to_be_found(light, settings.scene.lights[i].elongation, size)) {
       score.leds.push_back(led_score(detection, candidates, light));
+      score.leds.back().company = company_of(truth, settings.scene, light);
     }
   }
   for (const ImagePoint& point : detection.points) score.points.push_back(point_score(point, truth, world));

@@ -20,16 +20,22 @@ enum class Origin : std::uint8_t { kLed, kRedLamp, kReflection, kOtherLight, kHo
 inline constexpr std::array<std::string_view, 6> kOriginNames{"led",         "red_lamp",  "reflection",
                                                               "other_light", "hot_pixel", "thing"};
 
+/// What an LED that is to be found has about it. Beside: another light of at least a tenth of its red lies closer than
+/// three standard deviations of both cores together. Outshone: the other lights alone clip red where the LED is.
+enum class Company : std::uint8_t { kAlone, kBeside, kOutshone };
+inline constexpr std::array<std::string_view, 3> kCompanyNames{"alone", "beside", "outshone"};
+
 /// An LED is to be found when it lies in the picture by more than three standard deviations of its core and at least
 /// 90 % of its light is seen. It is found by a point within 1 px, or within three of the point's own stated deviations.
 struct LedScore {
   int id = 0;
   RawPixel at;
   double peak = 0.0;  ///< times clip
+  Company company = Company::kAlone;
   bool found = false;
   bool covered = false;   ///< found, and within three stated deviations (98.9 % of a true normal error)
   double error_px = 0.0;  ///< of the found point
-  std::string cause;      ///< of a miss: the drop cause that came furthest, "off" for a kept one too far away
+  std::string cause{};    ///< of a miss: the drop cause that came furthest, "off" for a kept one too far away
 };
 
 struct PointScore {
