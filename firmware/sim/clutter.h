@@ -14,7 +14,7 @@ struct ClutterChoice {
   int max_leds = 4;
   Range white_level{0.05, 0.05};      ///< of a white surface, in units of clip; drawn evenly in its logarithm
   Range led_peak{1.0, 3.0};           ///< of every LED in either picture, times clip; drawn evenly in its logarithm
-  double red_lamp_probability = 0.2;  ///< that there are lamps of the LEDs' size and colour
+  double red_lamp_probability = 0.0;  ///< that there are one or two lamps of the LEDs' size and colour
 };
 
 /// The target stands 350 to 800 mm away: 1 to 4 LEDs, ids 1 to 4, at the corners of a triangle of 100, 80 and 60 mm

@@ -28,6 +28,8 @@ struct Options {
   int height_px = 480;
   std::optional<int> leds;
   std::optional<double> led_peak;
+  double white_level = 0.05;
+  bool red_lamps = false;
   std::string tone = "linear";
   int exposure_us = 5000;
   int quality = 90;
@@ -53,13 +55,15 @@ Result<SimulationSettings> open_scene(const Options& options) {
   SimulationSettings settings;
   settings.trajectory = *trajectory;
   settings.scene = led_scene(led_places(options.leds.value_or(1)), options.led_peak.value_or(1.5));
+  settings.scene.white_level = options.white_level;
   settings.rig = default_rig(size_of(options));
   settings.seed = options.seed;
   return settings;
 }
 
 SimulationSettings cluttered_scene(const Options& options) {
-  ClutterChoice choice{.size = size_of(options)};
+  ClutterChoice choice{.size = size_of(options), .white_level = {options.white_level, options.white_level}};
+  choice.red_lamp_probability = options.red_lamps ? 1.0 : 0.0;
   if (options.leds) choice.min_leds = choice.max_leds = *options.leds;
   if (options.led_peak) choice.led_peak = {*options.led_peak, *options.led_peak};
   return clutter_settings(options.seed, choice);
@@ -112,6 +116,9 @@ int run(int argc, char** argv) {
                  "brightness of an LED in units of clip; 1 to 3 is recommended; clutter: 1 to 3 by seed")
       ->check(CLI::Range(0.0, 100.0))
       ->default_str("1.5");
+  app.add_option("--white-level", options.white_level, "of a white surface in units of clip; up to 0.06 is recommended")
+      ->check(CLI::Range(0.001, 10.0));
+  app.add_flag("--red-lamps", options.red_lamps, "clutter: with one or two lamps like the LEDs");
   app.add_option("--tone", options.tone, "linear, or webcam: a colour matrix and gamma 2.2")
       ->check(CLI::IsMember({"linear", "webcam"}));
   app.add_option("--exposure-us", options.exposure_us, "exposure time, us")->check(CLI::Range(0, 1'000'000));
