@@ -18,7 +18,8 @@ struct Comparison {
   int decimals = 0;
 };
 
-std::array<Comparison, 9> comparisons_of(const LedDetectorSettings& settings) {
+std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, const Candidate& candidate) {
+  const double surface = static_cast<double>(candidate.red_surface) + settings.min_over_surface;
   return {{{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(settings.min_peak), 0},
            {DropCause::kNoContrast, "contrast", &Candidate::contrast, static_cast<double>(settings.min_contrast), 0},
            {DropCause::kElongated, "aspect", &Candidate::aspect, settings.max_aspect, 2},
@@ -27,6 +28,8 @@ std::array<Comparison, 9> comparisons_of(const LedDetectorSettings& settings) {
            {DropCause::kNotRed, "redness", &Candidate::redness, settings.min_redness, 2},
            {DropCause::kNotEmitting, "emission", &Candidate::emission, settings.min_emission, 2},
            {DropCause::kPoorFit, "residual", &Candidate::residual, settings.max_residual, 2},
+           {DropCause::kOtherHue, "hue", &Candidate::hue, settings.max_hue, 2},
+           {DropCause::kRedSurface, "peak", &Candidate::peak, surface, 0},
            {DropCause::kWeak, "amplitude", &Candidate::amplitude, settings.min_amplitude, 0}}};
 }
 
@@ -79,7 +82,7 @@ std::string cause_in_words(DropCause cause) {
 }
 
 std::string why(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
-  const auto comparisons = comparisons_of(settings);
+  const auto comparisons = comparisons_of(settings, candidate);
   const auto* const found = std::find_if(comparisons.begin(), comparisons.end(), [&](const Comparison& comparison) {
     return comparison.cause == candidate.cause;
   });

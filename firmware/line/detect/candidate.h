@@ -31,12 +31,15 @@ enum class DropCause : std::uint8_t {
   kWeak,          ///< amplitude below `min_amplitude`
   kCutByBorder,   ///< the picture ends inside the spot
   kWrongProfile,  ///< sigma and area contradict each other
+  kOtherHue,      ///< red by orange light: more green in it than a red LED has
+  kRedSurface,    ///< no stronger than a red surface in the light of this picture may be
   kNoRoom,        ///< the list of points is full
 };
-inline constexpr std::array<std::string_view, 20> kDropCauseNames{
-    "kept",      "seen_before", "dim",     "no_falloff",    "no_contrast",   "too_large",    "too_small",
-    "elongated", "no_surround", "crowded", "not_redder",    "not_red",       "not_emitting", "fit_failed",
-    "poor_fit",  "wrong_size",  "weak",    "cut_by_border", "wrong_profile", "no_room"};
+inline constexpr std::array<std::string_view, 22> kDropCauseNames{
+    "kept",          "seen_before", "dim",         "no_falloff", "no_contrast", "too_large",
+    "too_small",     "elongated",   "no_surround", "crowded",    "not_redder",  "not_red",
+    "not_emitting",  "fit_failed",  "poor_fit",    "wrong_size", "weak",        "cut_by_border",
+    "wrong_profile", "other_hue",   "red_surface", "no_room"};
 
 constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
 
@@ -63,10 +66,12 @@ struct Candidate {
   float redness = 0.0F;       ///< dV/dY
   float emission = 0.0F;      ///< dY/dS
   float sigma_px = 0.0F;
-  float amplitude = 0.0F;  ///< luma steps, of the brightest visible pixel
-  float residual = 0.0F;   ///< of the amplitude
-  float misfit = 0.0F;     ///< what of the residual the noise of the surroundings does not explain, of the amplitude
-  int hidden_pixels = 0;   ///< clipped, and left out of the fit
+  float amplitude = 0.0F;    ///< luma steps, of the brightest visible pixel
+  float residual = 0.0F;     ///< of the amplitude
+  float misfit = 0.0F;       ///< what of the residual the noise of the surroundings does not explain, of the amplitude
+  int hidden_pixels = 0;     ///< clipped, and left out of the fit
+  float hue = 0.0F;          ///< -dU/dV
+  float red_surface = 0.0F;  ///< S that a red surface in the light of the picture may have
 };
 
 /// Room for every candidate and for a second look beside each accepted one.

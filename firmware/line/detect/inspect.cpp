@@ -22,6 +22,7 @@ constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly 
 
 /// Half-windows in which a spot may fit; halos and big spots need the larger ones.
 std::array<int, 3> half_windows(int width_px) {
+  if (width_px > 2000) return {20, 30, 40};
   if (width_px > 1000) return {8, 20, 40};
   if (width_px > 400) return {8, 15, 28};
   return {8, 15, 20};

@@ -8,19 +8,6 @@
 namespace tripoint {
 namespace {
 
-double mean_of_sparse_luma(const Picture& picture) {
-  constexpr int kStep = 32;
-  long sum = 0;
-  long count = 0;
-  for (int v = kStep / 2; v < picture.size.height_px; v += kStep) {
-    for (int u = kStep / 2; u < picture.size.width_px; u += kStep) {
-      sum += picture.luma.at(u, v);
-      ++count;
-    }
-  }
-  return count == 0 ? 0.0 : static_cast<double>(sum) / static_cast<double>(count);
-}
-
 /// Whether the close look got as far as knowing the spot's extent and finding it round and red.
 bool was_measured(const Candidate& candidate) {
   return candidate.cause == DropCause::kKept || candidate.cause >= DropCause::kFitFailed;
@@ -33,11 +20,12 @@ LedDetector::LedDetector(const LedDetectorSettings& settings) : settings_(settin
 Detection LedDetector::detect(const Picture& picture, const Forecast& /*forecast*/) {
   log_.clear();
   detection_ = {};
+  light_ = scene_light_of(picture);
+  detection_.health.mean_luma = light_.mean_luma;
   map_.read(picture);
   const Selection selection = select_cells(map_, settings_);
   detection_.health.candidates_cut = selection.cut;
   for (const Cell& cell : selection.cells) look(picture, reddest_of_cell(picture, map_, cell));
-  detection_.health.mean_luma = mean_of_sparse_luma(picture);
   return detection_;
 }
 
@@ -48,7 +36,7 @@ void LedDetector::look(const Picture& picture, PixelPlace start) {
       detection_.health.candidates_cut = true;
       return;
     }
-    keep(inspector_.inspect(picture, *next));
+    keep(picture, inspector_.inspect(picture, *next));
     if (log_.back().cause != DropCause::kKept) return;
     next = reddest_beside(picture, map_, log_.back(), settings_.min_red);
   }
@@ -63,26 +51,39 @@ bool LedDetector::covered(PixelPlace start) const {
   });
 }
 
-void LedDetector::keep(const Inspection& inspection) {
+DropCause LedDetector::judge_light(const Picture& picture, Candidate& candidate) const {
+  candidate.hue = static_cast<float>(hue_of_flank(picture, candidate));
+  candidate.red_surface = static_cast<float>(strength_of_red_surface(light_));
+  if (static_cast<double>(candidate.hue) > settings_.max_hue) return DropCause::kOtherHue;
+  if (settings_.min_emission < 0.0) return DropCause::kKept;  // red surfaces are what is looked for
+  const float over_surface = candidate.peak - candidate.red_surface;
+  return over_surface < static_cast<float>(settings_.min_over_surface) ? DropCause::kRedSurface : DropCause::kKept;
+}
+
+void LedDetector::keep(const Picture& picture, const Inspection& inspection) {
   Candidate candidate = inspection.candidate;
   if (inspection.point) {
-    const bool known = std::any_of(log_.begin(), log_.end(), [&](const Candidate& seen) {
-      const auto radius_px = static_cast<double>(std::max(seen.radius_px, candidate.radius_px));
-      return seen.cause == DropCause::kKept &&
-             std::hypot(seen.at.u_px - candidate.at.u_px, seen.at.v_px - candidate.at.v_px) < radius_px + 0.5;
-    });
-    if (known) {
-      candidate.cause = DropCause::kSeenBefore;
-    } else if (!detection_.points.try_push_back(*inspection.point)) {
-      candidate.cause = DropCause::kNoRoom;
-      detection_.health.candidates_cut = true;
-    } else {
-      ImageHealth& health = detection_.health;
-      health.peak_luma = std::max(health.peak_luma, inspection.point->peak);
-      health.focus = std::max(health.focus, 1.0 / inspection.point->sigma_px);
-    }
+    candidate.cause = judge_light(picture, candidate);
+    if (candidate.cause == DropCause::kKept) candidate.cause = make_room(candidate, *inspection.point);
   }
   log_.push_back(candidate);
+}
+
+DropCause LedDetector::make_room(const Candidate& candidate, const ImagePoint& point) {
+  const bool known = std::any_of(log_.begin(), log_.end(), [&](const Candidate& seen) {
+    const auto radius_px = static_cast<double>(std::max(seen.radius_px, candidate.radius_px));
+    return seen.cause == DropCause::kKept &&
+           std::hypot(seen.at.u_px - candidate.at.u_px, seen.at.v_px - candidate.at.v_px) < radius_px + 0.5;
+  });
+  if (known) return DropCause::kSeenBefore;
+  ImageHealth& health = detection_.health;
+  if (!detection_.points.try_push_back(point)) {
+    health.candidates_cut = true;
+    return DropCause::kNoRoom;
+  }
+  health.peak_luma = std::max(health.peak_luma, point.peak);
+  health.focus = std::max(health.focus, 1.0 / point.sigma_px);
+  return DropCause::kKept;
 }
 
 }  // namespace tripoint

@@ -6,6 +6,7 @@
 #include "line/detect/candidate.h"
 #include "line/detect/coarse.h"
 #include "line/detect/inspect.h"
+#include "line/detect/light.h"
 #include "line/detect/select.h"
 #include "line/detect/settings.h"
 #include "line/observation.h"
@@ -36,13 +37,16 @@ class LedDetector {
  private:
   void look(const Picture& picture, PixelPlace start);
   [[nodiscard]] bool covered(PixelPlace start) const;
-  void keep(const Inspection& inspection);
+  void keep(const Picture& picture, const Inspection& inspection);
+  DropCause make_room(const Candidate& candidate, const ImagePoint& point);
+  [[nodiscard]] DropCause judge_light(const Picture& picture, Candidate& candidate) const;
 
   LedDetectorSettings settings_;
   CoarseMap map_;
   Inspector inspector_;
   CandidateLog log_;
   Detection detection_;
+  SceneLight light_;
 };
 
 }  // namespace tripoint
