@@ -91,6 +91,7 @@ DetectorConfig detector_from(TableReader table) {
   d.kind = table.choice<ConfiguredDetector>("kind", {{"led", ConfiguredDetector::kLed}}, d.kind);
   d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
   d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
+  d.min_emission = table.number("min_emission", {-0.2, 0.2}, d.min_emission);
   table.finish();
   return d;
 }

@@ -54,6 +54,7 @@ struct DetectorConfig {
   ConfiguredDetector kind = ConfiguredDetector::kLed;
   int min_peak = 850;
   int min_contrast = 45;
+  double min_emission = 0.0;
 };
 
 /// The working volume in the output frame.

@@ -59,8 +59,9 @@ RgbImage pixels_around(const RgbImage& picture, const Finding& finding) {
   const PixelPlace center{static_cast<int>(std::lround(candidate.at.u_px)),
                           static_cast<int>(std::lround(candidate.at.v_px))};
   Canvas canvas(enlarged(cut_out(picture, center, side, kOutside), zoom));
-  const CanvasPoint at{(candidate.at.u_px - center.u_px + side / 2 + 0.5) * zoom - 0.5,
-                       (candidate.at.v_px - center.v_px + side / 2 + 0.5) * zoom - 0.5};
+  const int middle = side / 2;
+  const CanvasPoint at{(candidate.at.u_px - center.u_px + middle + 0.5) * zoom - 0.5,
+                       (candidate.at.v_px - center.v_px + middle + 0.5) * zoom - 0.5};
   draw_area(canvas, at, static_cast<double>(candidate.radius_px) * zoom);
   if (finding.kept()) {
     draw_kept(canvas, at, three_sigma(*finding.covariance_px2, kUncertaintyScale));

@@ -30,6 +30,7 @@ std::vector<Finding> by_interest(std::vector<Finding> dropped) {
   std::stable_sort(dropped.begin(), dropped.end(), stands_out_more);
   std::array<int, kDropCauseNames.size()> seen{};
   std::vector<Ranked> ranked;
+  ranked.reserve(dropped.size());
   for (const Finding& finding : dropped) {
     ranked.push_back({finding, seen[static_cast<std::size_t>(finding.candidate.cause)]++});
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -130,7 +131,7 @@ Overview overview_of(const RgbImage& picture, std::span<const Finding> findings,
     marks.push_back({shown_at(finding.candidate.at, scale), reach_px(finding)});
     texts.push_back({label_of(finding, settings, picture.size.width_px), type_of(finding)});
   }
-  for (auto finding = findings.rbegin(); finding != findings.rend(); ++finding) draw_mark(canvas, *finding, scale);
+  for (const Finding& finding : std::ranges::reverse_view(findings)) draw_mark(canvas, finding, scale);
   overview.unlabelled = label_all(canvas, findings, marks, texts);
   overview.image = canvas.image();
   return overview;

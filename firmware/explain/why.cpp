@@ -36,10 +36,14 @@ std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, c
 /// So many decimals that a value beside its limit does not read as the limit itself.
 std::string compared(std::string_view what, double measured, double limit, int decimals) {
   constexpr int kMostDecimals = 4;
-  const std::string shown_limit = fmt::format("{:.{}f}", limit, decimals);
-  std::string shown = fmt::format("{:.{}f}", measured, decimals);
+  const auto text_of = [](double value, int digits) {
+    const std::string text = fmt::format("{:.{}f}", value, digits);
+    return text.find_first_not_of("-0.") == std::string::npos ? text.substr(text.find('0')) : text;  // no "-0.00"
+  };
+  const std::string shown_limit = text_of(limit, decimals);
+  std::string shown = text_of(measured, decimals);
   for (int more = decimals + 1; shown == shown_limit && more <= kMostDecimals; ++more) {
-    shown = fmt::format("{:.{}f}", measured, more);
+    shown = text_of(measured, more);
   }
   return fmt::format("{} {} {} {}", what, shown, measured < limit ? '<' : '>', shown_limit);
 }

@@ -1,10 +1,17 @@
-// Pictures of other people, the way `tripointd detect` reads them: tags and boards show no red LED.
+// Pictures of other people, the way `tripointd detect` reads them: tags and boards show no red LED. What is kept in the
+// others was looked at with `--explain`, and is listed here for what it is.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "app/detector_settings.h"
 #include "capture/image_file.h"
+#include "config/config.h"
 #include "line/detect/led_detector.h"
 #include "places.h"
 
@@ -13,34 +20,103 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct KnownSpot {
+  std::string_view picture;
+  RawPixel at;
+  std::string_view what;
+};
+
+constexpr double kSamePlace_px = 1.0;
+
+/// Red lights, of machines and of a hand-held laser.
+const std::vector<KnownSpot> kRedLights{
+    {"CargoSideStraightDark72in.jpg", {302.7, 121.5}, "status light, upper of two"},
+    {"BlueGoal-180in-Center.jpg", {528.7, 453.5}, "row of LEDs, lower of two"},
+    {"BlueGoal-180in-Center.jpg", {59.2, 474.1}, "row of LEDs"},
+    {"BlueGoal-180in-Center.jpg", {54.7, 474.8}, "row of LEDs, its left end"},
+    {"BlueGoal-224in-Left.jpg", {372.8, 425.4}, "row of LEDs, lower of two"},
+    {"BlueGoal-224in-Left.jpg", {372.3, 420.0}, "row of LEDs, upper of two"},
+    {"Amp_85in.jpg", {978.8, 382.1}, "beacon of the field"},
+    {"4.jpg", {1435.5, 1146.8}, "dot of a laser"},
+};
+
+/// No red lights, and kept nevertheless: a single picture cannot tell them, see docs/concepts/detection.md.
+const std::vector<KnownSpot> kMistaken{
+    {"Podium_103in.jpg", {558.2, 597.9}, "red knob in an overexposed picture, clipped"},
+    {"RocketPanelStraight48in.jpg", {19.5, 41.4}, "red sign before a dark wall, in an overexposed picture"},
+    {"RocketPanelStraightDark96in.jpg", {173.5, 203.4}, "reddish reflection of a lamp in the dark"},
+};
+
 bool is_picture(const fs::path& file) {
   const std::string ending = file.extension().string();
   return ending == ".jpg" || ending == ".png";
 }
 
-void expect_nothing_in(const std::string& folder) {
+bool is_listed(const std::vector<KnownSpot>& list, const std::string& picture, const RawPixel& at) {
+  return std::any_of(list.begin(), list.end(), [&](const KnownSpot& known) {
+    return known.picture == picture && std::hypot(known.at.u_px - at.u_px, known.at.v_px - at.v_px) < kSamePlace_px;
+  });
+}
+
+std::vector<RawPixel> kept_in(const fs::path& file, LedDetector& detector) {
+  const Result<LoadedImage> image = LoadedImage::load(file);
+  EXPECT_TRUE(image) << image.error().message;
+  std::vector<RawPixel> places;
+  if (!image || image->picture().v.data == nullptr) return places;  // grey
+  for (const ImagePoint& point : detector.detect(image->picture(), {}).points) places.push_back(point.at);
+  return places;
+}
+
+/// In all pictures of a folder nothing is kept but what is listed.
+void expect_only_listed_in(const std::string& folder) {
   const fs::path path = test::shared_folder() / "data" / folder;
   if (!fs::is_directory(path)) GTEST_SKIP() << "no such folder: " << path << "; set TRIPOINT_SHARED";
   int pictures = 0;
   LedDetector detector{LedDetectorSettings{}};
   for (const auto& entry : fs::directory_iterator(path)) {
     if (!is_picture(entry.path())) continue;
-    const Result<LoadedImage> image = LoadedImage::load(entry.path());
-    ASSERT_TRUE(image) << image.error().message;
     ++pictures;
-    if (image->picture().v.data == nullptr) continue;  // grey
-    for (const ImagePoint& point : detector.detect(image->picture(), {}).points) {
-      ADD_FAILURE() << entry.path().filename() << ": a point at " << point.at.u_px << ", " << point.at.v_px;
+    const std::string name = entry.path().filename().string();
+    for (const RawPixel& at : kept_in(entry.path(), detector)) {
+      EXPECT_TRUE(is_listed(kRedLights, name, at) || is_listed(kMistaken, name, at))
+          << name << ": a point at " << at.u_px << ", " << at.v_px;
     }
   }
   EXPECT_GT(pictures, 0);
 }
 
-TEST(RealPicturesTest, NothingInSwarmathonTags) { expect_nothing_in("apriltag_swarmathon"); }
-TEST(RealPicturesTest, NothingInDuckietownTags) { expect_nothing_in("apriltag_duckietown"); }
-TEST(RealPicturesTest, NothingInAprilGrids) { expect_nothing_in("aprilgrid"); }
-TEST(RealPicturesTest, NothingInChessboards) { expect_nothing_in("stereo_opencv_chessboard"); }
-TEST(RealPicturesTest, NothingInCharucoBoards) { expect_nothing_in("charuco_mono_lifecam1280"); }
+fs::path red_spot_scene(const std::string& name) { return test::shared_folder() / "data/red_spot_scenes" / name; }
+
+LedDetectorSettings passive_spot_settings() {
+  const Result<Config> config = load_config(test::top_folder() / "deploy/settings/passive_spot.toml", {});
+  EXPECT_TRUE(config) << config.error().message;
+  return config ? led_detector_settings(config->detector) : LedDetectorSettings{};
+}
+
+// No picture of these five is listed.
+TEST(RealPicturesTest, NothingInSwarmathonTags) { expect_only_listed_in("apriltag_swarmathon"); }
+TEST(RealPicturesTest, NothingInDuckietownTags) { expect_only_listed_in("apriltag_duckietown"); }
+TEST(RealPicturesTest, NothingInAprilGrids) { expect_only_listed_in("aprilgrid"); }
+TEST(RealPicturesTest, NothingInChessboards) { expect_only_listed_in("stereo_opencv_chessboard"); }
+TEST(RealPicturesTest, NothingInCharucoBoards) { expect_only_listed_in("charuco_mono_lifecam1280"); }
+
+TEST(RealPicturesTest, OnlyWhatIsListedInFieldTags) { expect_only_listed_in("apriltag_frc2024"); }
+TEST(RealPicturesTest, OnlyWhatIsListedInRetroReflectiveTargetsOf2019) {
+  expect_only_listed_in("retroreflective_frc/2019");
+}
+TEST(RealPicturesTest, OnlyWhatIsListedInRetroReflectiveTargetsOf2020) {
+  expect_only_listed_in("retroreflective_frc/2020");
+}
+TEST(RealPicturesTest, OnlyTheLaserInScenesWithRedThings) { expect_only_listed_in("red_spot_scenes"); }
+
+TEST(RealPicturesTest, TheSettingsForPassiveSpotsFindTheRedDisc) {
+  if (!fs::exists(red_spot_scene("4.jpg"))) GTEST_SKIP() << "no " << red_spot_scene("4.jpg") << "; set TRIPOINT_SHARED";
+  LedDetector detector{passive_spot_settings()};
+  const std::vector<RawPixel> places = kept_in(red_spot_scene("4.jpg"), detector);
+  EXPECT_TRUE(std::any_of(places.begin(), places.end(), [](const RawPixel& at) {
+    return std::hypot(at.u_px - 1611.3, at.v_px - 1153.2) < 1.0;  // where it was seen by eye
+  }));
+}
 
 }  // namespace
 }  // namespace tripoint

@@ -60,6 +60,8 @@ TEST(DetectorConfigTest, LedsOnGreyAreAnErrorThatSaysWhy) {
 
 TEST(DetectorConfigTest, TheLimitsOfADetectorAreRanges) {
   EXPECT_EQ(config_with({"detector.min_peak=900", "detector.min_contrast=50"})->detector.min_peak, 900);
+  EXPECT_EQ(config_with({"detector.min_emission=-0.1"})->detector.min_emission, -0.1);
+  EXPECT_FALSE(config_with({"detector.min_emission=-0.3"}).has_value());
   EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\""));
 }
 

@@ -40,6 +40,17 @@ TEST(WhyTest, AValueBesideItsLimitDoesNotReadAsTheLimit) {
   EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.4982F)), "redness 0.498 < 0.50");
 }
 
+TEST(WhyTest, NothingIsWrittenAsLessThanZero) {
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.001F)), "redness 0.00 < 0.50");
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.01F)), "redness -0.01 < 0.50");
+}
+
+TEST(WhyTest, TheLimitOfARedSurfaceIsThatOfThePicture) {
+  Candidate candidate = with(DropCause::kRedSurface, &Candidate::peak, 900.0F);
+  candidate.red_surface = 1000.0F;
+  EXPECT_EQ(why_of(candidate), "peak 900 < 1045");
+}
+
 TEST(WhyTest, TheSizeHasTwoLimits) {
   EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 0.4F)), "sigma 0.40 < 0.55");
   EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 12.0F)), "sigma 12.00 > 10.24");  // 0.016 of 640
