@@ -11,6 +11,11 @@
 namespace tripoint {
 namespace {
 
+// Of the LEDs of rendered cluttered scenes three in a thousand differ by more than 1.4 in size and 3 in brightness; the
+// rest is for two cameras that are focused and exposed a little differently.
+constexpr double kMostSizeRatio = 2.0;
+constexpr double kMostBrightnessRatio = 4.0;
+
 struct DepthRange {
   double min_mm = 0.0;
   double max_mm = std::numeric_limits<double>::infinity();
@@ -38,6 +43,14 @@ MeasuredPixel whole_uncertainty(const AlignedPoint& point) {
 
 PerSide<MeasuredPixel> whole_uncertainty(const AlignedPoint& left, const AlignedPoint& right) {
   return {whole_uncertainty(left), whole_uncertainty(right)};
+}
+
+bool within_ratio(double a, double b, double most) { return a <= most * b && b <= most * a; }
+
+/// One light is about as large and as bright in both pictures. Corners of tags have neither size nor brightness.
+bool alike(const ImagePoint& left, const ImagePoint& right) {
+  return within_ratio(left.sigma_px, right.sigma_px, kMostSizeRatio) &&
+         within_ratio(left.amplitude, right.amplitude, kMostBrightnessRatio);
 }
 
 /// What speaks against a pair inside the epipolar gate, nothing when it is possible.
@@ -68,7 +81,8 @@ Candidates candidates(const Aligned& seen, const LineModel& model) {
       const PerSide<MeasuredPixel> pixels = whole_uncertainty(seen.points.left[i], seen.points.right[j]);
       const std::optional<EpipolarGate> gate = epipolar_gate(model, pixels);
       if (!gate || !gate->passed) continue;
-      const Faults reasons = against(pixels, range, model);
+      const bool one_light = alike(seen.points.left[i].seen, seen.points.right[j].seen);
+      const Faults reasons = one_light ? against(pixels, range, model) : Faults{Fault::kGeometryGate};
       found.refused.insert(reasons);
       if (!reasons.empty()) continue;
       found.pairs.push_back({{i, j}, *gate});

@@ -62,6 +62,38 @@ TEST(MatchTest, TheVolumesDepthSettlesWhatTheEpipolarLineLeavesOpen) {
   EXPECT_EQ(match(seen, model).pairs.size(), 1U);
 }
 
+TEST(MatchTest, LightsOfDifferentSizeOrBrightnessAreNoPair) {
+  const LineModel model = webcam_model();
+  const auto with = [&](double left_sigma_px, double left_amplitude) {
+    Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+    seen.points.left[0].seen.sigma_px = left_sigma_px;
+    seen.points.left[0].seen.amplitude = left_amplitude;
+    seen.points.right[0].seen.sigma_px = 1.5;
+    seen.points.right[0].seen.amplitude = 50.0;
+    return match(seen, model);
+  };
+  EXPECT_TRUE(with(1.5, 50.0).faults.empty());
+  for (const double size : {2.99, 0.76}) EXPECT_TRUE(with(size, 50.0).faults.empty());
+  for (const double size : {3.01, 0.74}) EXPECT_EQ(with(size, 50.0).faults, Faults{Fault::kGeometryGate});
+  for (const double brightness : {199.0, 12.6}) EXPECT_TRUE(with(1.5, brightness).faults.empty());
+  for (const double brightness : {201.0, 12.4}) EXPECT_EQ(with(1.5, brightness).faults, Faults{Fault::kGeometryGate});
+}
+
+TEST(MatchTest, ALargeReflectionOnTheSameLineDoesNotHideTheLight) {
+  const LineModel model = webcam_model();
+  const Vec3 eye = model.rig.camera_from_rig.left.inverse().translation();
+  const Vec3 point{10.0, 15.0, 400.0};
+  Aligned seen = seen_at_rest(model, {point, eye + 1.25 * (point - eye)});
+  seen.points.left.truncate(1);
+  for (const Side side : kBothSides) {
+    for (AlignedPoint& spot : seen.points[side]) spot.seen.sigma_px = 1.5;
+  }
+  EXPECT_TRUE(match(seen, model).faults.contains(Fault::kAmbiguous));
+  seen.points.right[1].seen.sigma_px = 4.0;
+  EXPECT_TRUE(match(seen, model).faults.empty());
+  EXPECT_EQ(match(seen, model).pairs.size(), 1U);
+}
+
 TEST(MatchTest, WhatAlignCouldNotFollowIsNotCalledUnseen) {
   const LineModel model = webcam_model();
   Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
