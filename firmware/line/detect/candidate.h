@@ -68,7 +68,7 @@ struct Candidate {
   float sigma_px = 0.0F;
   float amplitude = 0.0F;    ///< luma steps, of the brightest visible pixel
   float residual = 0.0F;     ///< of the amplitude
-  float misfit = 0.0F;       ///< what of the residual the noise of the surroundings does not explain, of the amplitude
+  float misfit = 0.0F;       ///< what of the residual the grain of the surroundings does not explain, of the amplitude
   int hidden_pixels = 0;     ///< clipped, and left out of the fit
   float hue = 0.0F;          ///< -dU/dV
   float red_surface = 0.0F;  ///< S that a red surface in the light of the picture may have

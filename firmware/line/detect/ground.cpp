@@ -21,6 +21,8 @@ struct Ring {
   int row = 0;
   int inner_px2 = 0;  ///< squares of the radii
   int outer_px2 = 0;
+  int first = 0;  ///< column; whole vectors from here
+  int last = 0;   ///< up to here
   int luma = 0;
   int limit = 0;  ///< less than that above and below `luma`
 };
@@ -37,25 +39,30 @@ Ints4 four_lumas(const Plane& luma, int u, int v) {
 }
 
 /// The plane rise = a + b x + c y by least squares, x and y from the ring's middle.
-class RisingPlane {
+class PlaneFit {
  public:
-  /// Adds the pixels of one row, from column `first` in whole vectors up to `last`.
-  void add_row(const Plane& luma, const Ring& ring, int v, int first, int last) {
+  /// @param beside  the row to compare with, of the same phase of the mosaic
+  void add_row(const Plane& luma, const Ring& ring, int v, int beside) {
     const int y = v - ring.row;
-    Ints4 x = Ints4{0, kStep_px, 2 * kStep_px, 3 * kStep_px} + (first - ring.column);
+    Ints4 x = Ints4{0, kStep_px, 2 * kStep_px, 3 * kStep_px} + (ring.first - ring.column);
     Ints4 n{}, sum_x{}, sum_rise{};
-    for (int u = first; u + kVector_px - 1 <= last; u += kVector_px, x += kVector_px) {
+    for (int u = ring.first; u + kVector_px - 1 <= ring.last; u += kVector_px, x += kVector_px) {
       const Ints4 rise = four_lumas(luma, u, v) - ring.luma;
+      const Ints4 rise_beside = four_lumas(luma, u, beside) - ring.luma;
       const Ints4 xx = x * x;
       const Ints4 distance_px2 = xx + y * y;
       const Ints4 kept = (distance_px2 > ring.inner_px2) & (distance_px2 < ring.outer_px2) & (rise < ring.limit) &
                          (rise > -ring.limit);
+      const Ints4 both = kept & (rise_beside < ring.limit) & (rise_beside > -ring.limit);
       const Ints4 kept_rise = rise & kept;
+      const Ints4 step = (rise - rise_beside) & both;
       n -= kept;
       sum_x += x & kept;
       sum_rise += kept_rise;
       xx_ += xx & kept;
       x_rise_ += x * kept_rise;
+      steps_ -= both;
+      step_step_ += step * step;
     }
     n_ += n, x_ += sum_x, rise_ += sum_rise;
     y_ += y * n, yy_ += y * y * n, xy_ += y * sum_x, y_rise_ += y * sum_rise;
@@ -73,34 +80,40 @@ class RisingPlane {
     return spread.inverse() * (Vec2(sum(x_rise_), sum(y_rise_)) - sum(rise_) * mean);
   }
 
+  /// Half of the mean square between two pixels is the variance of one.
+  [[nodiscard]] double grain() const { return std::sqrt(0.5 * sum(step_step_) / std::max(1, sum(steps_))); }
+
  private:
   // Sums over the kept pixels of 1, x, y, their products and their products with the rise, in four lanes.
   Ints4 n_{}, x_{}, y_{}, xx_{}, xy_{}, yy_{}, rise_{}, x_rise_{}, y_rise_{};
+  Ints4 steps_{}, step_step_{};  // from row to row
 };
 
 int square_of(double radius_px) { return static_cast<int>(radius_px * radius_px); }
 
 }  // namespace
 
-Vec2 ground_slope(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground) {
-  if (ground.noise > kRoughest) return Vec2::Zero();
+GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground) {
   const double inner_px = 1.6 * radius_px + 3.0;  // outside of what the fit sees
   const double outer_px = 3.0 * radius_px + 12.0;
-  const Ring ring{.column = static_cast<int>(std::lround(at.u_px)),
-                  .row = static_cast<int>(std::lround(at.v_px)),
+  const auto column = static_cast<int>(std::lround(at.u_px));
+  const auto row = static_cast<int>(std::lround(at.v_px));
+  const auto reach = static_cast<int>(outer_px);
+  const ImageSize size = picture.size;
+  const Ring ring{.column = column,
+                  .row = row,
                   .inner_px2 = square_of(inner_px),
                   .outer_px2 = square_of(outer_px),
+                  .first = std::max(0, column - reach),
+                  .last = std::min(size.width_px - 1, column + reach + kVector_px - 1),
                   .luma = static_cast<int>(ground.luma),
                   .limit = static_cast<int>(2.0 + kOfNoise * ground.noise)};
-  const auto reach = static_cast<int>(outer_px);
-  const int first = std::max(0, ring.column - reach);
-  const int last = std::min(picture.size.width_px - 1, ring.column + reach + kVector_px - 1);
-  const int bottom = std::min(picture.size.height_px - 1, ring.row + reach);
-  RisingPlane plane;
-  for (int v = std::max(0, ring.row - reach); v <= bottom; v += kStep_px) {
-    plane.add_row(picture.luma, ring, v, first, last);
+  PlaneFit fit;
+  for (int v = std::max(0, row - reach); v <= std::min(size.height_px - 1, row + reach); v += kStep_px) {
+    const int beside = v + kStep_px < size.height_px ? v + kStep_px : v - kStep_px;
+    fit.add_row(picture.luma, ring, v, beside);
   }
-  return plane.slope();
+  return {.slope = ground.noise > kRoughest ? Vec2(0.0, 0.0) : fit.slope(), .grain = fit.grain()};
 }
 
 }  // namespace tripoint

@@ -12,12 +12,17 @@ struct Ground {
   double noise = 0.0;  ///< standard deviation
 };
 
-/// By how many steps the luma rises per column and row in a wide ring around a spot: a plane by least squares through
-/// what lies within 4 standard deviations of the ground.
+/// The ground under a spot, as a wide ring around it shows it.
+struct GroundPlane {
+  Vec2 slope = Vec2::Zero();  ///< steps per column and row; zero where the ground is rough: a step in it, taken for a
+                              ///< slope, would do more harm than a slope left in
+  double grain = 0.0;         ///< standard deviation of pixels against their neighbours: noise without pattern
+};
+
+/// A plane by least squares through what lies within 4 standard deviations of the ground.
 ///
 /// A Gaussian of width sigma and amplitude A fitted on level ground is displaced by 4 sigma^2 / A times the slope.
 /// @param radius_px  of the spot at half contrast
-/// @return zero where the ground is rough: a step in it, taken for a slope, would do more harm than a slope left in
-Vec2 ground_slope(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground);
+GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground);
 
 }  // namespace tripoint

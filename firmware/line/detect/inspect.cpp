@@ -150,13 +150,14 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
 }
 
 DropCause Inspector::fit(const Picture& picture) {
-  const Ground ground{.luma = around_.ground(Channel::kLuma), .noise = around_.noise(Channel::kLuma)};
+  const GroundPlane ground = ground_plane(picture, seen_.at, area_.radius_px(),
+                                          {around_.ground(Channel::kLuma), around_.noise(Channel::kLuma)});
   const auto measured = measurer_.measure({.window = window_,
                                            .flood = flood_,
                                            .area = area_,
                                            .around = around_,
                                            .level = static_cast<double>(seen_.level),
-                                           .luma_slope = ground_slope(picture, seen_.at, area_.radius_px(), ground)});
+                                           .ground = ground});
   if (!measured) return DropCause::kFitFailed;
   note(*measured);
   const DropCause cause = check(*measured, picture);
@@ -167,7 +168,7 @@ DropCause Inspector::fit(const Picture& picture) {
 void Inspector::note(const SpotMeasurement& measured) {
   const SpotFit& fit = measured.fit;
   const double amplitude = std::max(fit.visible_amplitude, 1.0);
-  const double unexplained = std::max(0.0, fit.noise * fit.noise - measured.ground_noise * measured.ground_noise);
+  const double unexplained = std::max(0.0, fit.noise * fit.noise - measured.grain * measured.grain);
   seen_.at = {window_.left_px() + fit.model.column, window_.top_px() + fit.model.row};
   seen_.sigma_px = static_cast<float>(fit.model.sigma_px);
   seen_.amplitude = static_cast<float>(fit.visible_amplitude);

@@ -22,6 +22,13 @@ double share_of_radius(const SpotModel& model, const IsolatedSpot& spot) {
   return model.sigma_px * std::sqrt(-2.0 * std::log(spot.level)) / spot.area.radius_px();
 }
 
+/// In S as in Y the same share of the ground's unevenness is grain, the rest is pattern.
+double grain(const IsolatedSpot& spot, Channel channel) {
+  const double uneven = spot.around.noise(Channel::kLuma);
+  const double share = uneven > 0.0 ? std::min(1.0, spot.ground.grain / uneven) : 1.0;
+  return share * spot.around.noise(channel);
+}
+
 /// One row of luma without its ground, which starts at `ground` and rises by `slope` a column.
 void level(const std::uint8_t* lumas, double ground, double slope, std::span<float> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -87,7 +94,7 @@ void SpotMeasurer::fill(const IsolatedSpot& spot, Channel channel) {
     const std::span<float> values(fit_window_.values(row), columns);
     if (channel == Channel::kLuma) {
       const Vec2 beside_px(box_.left - spot.area.column, box_.top + row - spot.area.row);
-      level(spot.window.lumas(first), spot.luma_slope.dot(beside_px), spot.luma_slope.x(), values);
+      level(spot.window.lumas(first), spot.ground.slope.dot(beside_px), spot.ground.slope.x(), values);
     } else {
       const std::int16_t* strengths = spot.window.strengths(first);
       for (std::size_t i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
@@ -140,7 +147,7 @@ std::optional<SpotMeasurement> SpotMeasurer::measure_on(const IsolatedSpot& spot
   if (distance_px(fit->model, spot.area) >= 0.5 * spot.area.radius_px() + 0.7) return std::nullopt;
   return SpotMeasurement{.fit = *fit,
                          .channel = channel,
-                         .ground_noise = spot.around.noise(channel),
+                         .grain = grain(spot, channel),
                          .share_of_radius = share_of_radius(fit->model, spot),
                          .hidden_pixels = static_cast<int>(clipped_.size()),
                          .peak_luma = peak_luma_};

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "line/detect/flood.h"
+#include "line/detect/ground.h"
 #include "line/detect/settings.h"
 #include "line/detect/spot_fit.h"
 #include "line/detect/spot_window.h"
@@ -20,13 +21,13 @@ struct IsolatedSpot {
   Area area;
   Surround around;
   double level = 0.5;
-  Vec2 luma_slope = Vec2::Zero();  ///< of the ground, steps per column and row
+  GroundPlane ground;  ///< of luma
 };
 
 struct SpotMeasurement {
   SpotFit fit;  ///< centre in the window's coordinates
   Channel channel = Channel::kLuma;
-  double ground_noise = 0.0;   ///< standard deviation around the spot, in the channel's units
+  double grain = 0.0;          ///< of the ground, standard deviation in the channel's units
   double share_of_radius = 0;  ///< of the fitted Gaussian at `level`, over the area's radius
   int hidden_pixels = 0;       ///< clipped, and left out of the fit
   int peak_luma = 0;

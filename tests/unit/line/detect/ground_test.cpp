@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 #include <vector>
 
 #include "line/detect/led_detector.h"
@@ -63,8 +64,8 @@ TEST(GroundTest, SlopeOfAPlaneIsFoundInBothLayouts) {
   const Pictures pictures(sloped);
   const Ground ground{.luma = 60.0, .noise = 2.5};  // as the surround of a slope states it
   for (const Picture& picture : {pictures.interleaved(), pictures.planar()}) {
-    expect_slope(ground_slope(picture, {100.3, 89.6}, kRadius_px, ground), {0.31, -0.17});
-    expect_slope(ground_slope(picture, {101.0, 90.0}, kRadius_px, ground), {0.31, -0.17});
+    expect_slope(ground_plane(picture, {100.3, 89.6}, kRadius_px, ground).slope, {0.31, -0.17});
+    expect_slope(ground_plane(picture, {101.0, 90.0}, kRadius_px, ground).slope, {0.31, -0.17});
   }
 }
 
@@ -73,30 +74,42 @@ TEST(GroundTest, WhatStandsOutOfTheRingIsLeftAside) {
     return 60.0 + 0.1 * (u - 100) + (std::hypot(u - 112, v - 88) < 4.0 ? 90.0 : 0.0);
   };
   const Pictures pictures(with_neighbour);
-  expect_slope(ground_slope(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround), {0.1, 0.0});
+  expect_slope(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround).slope, {0.1, 0.0});
 }
 
 TEST(GroundTest, StepInTheRingIsNoSlope) {
   const Pictures pictures([](int u, int) { return u > 108 ? 75.0 : 60.0; });
-  expect_slope(ground_slope(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround), {0.0, 0.0});
+  expect_slope(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround).slope, {0.0, 0.0});
 }
 
 TEST(GroundTest, RoughGroundIsLeftAlone) {
   const Pictures pictures(sloped);
-  EXPECT_EQ(ground_slope(pictures.interleaved(), {100.0, 90.0}, kRadius_px, {.luma = 60.0, .noise = 3.1}),
+  EXPECT_EQ(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, {.luma = 60.0, .noise = 3.1}).slope,
             Vec2(0.0, 0.0));
+}
+
+TEST(GroundTest, GrainIsTheNoiseFromPixelToPixelAndNoPattern) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 3.0);
+  const Pictures noisy([&](int, int) { return 60.0 + noise(random); });
+  const Pictures patterned([](int u, int v) { return 60.0 + 4.0 * std::sin(0.25 * u) * std::cos(0.2 * v); });
+  const Ground ground{.luma = 60.0, .noise = 3.0};
+  // From some 200 differences: 3 sqrt(1 / 200) = 0.2, and 3 of them. Rounding adds 0.29 in squares.
+  EXPECT_NEAR(ground_plane(noisy.interleaved(), {100.0, 90.0}, kRadius_px, ground).grain, 3.0, 0.6);
+  // Two rows apart the pattern changes by 0.4 of a step of its 4 at most: 1.6 / sqrt(2) at its steepest.
+  EXPECT_LT(ground_plane(patterned.interleaved(), {100.0, 90.0}, kRadius_px, ground).grain, 0.8);
 }
 
 TEST(GroundTest, TooFewPixelsOfTheGroundGiveNoSlope) {
   const Pictures pictures([](int u, int v) { return std::hypot(u - 100, v - 90) < 18.5 ? 200.0 : 60.0; });
-  EXPECT_EQ(ground_slope(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround), Vec2(0.0, 0.0));
+  EXPECT_EQ(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround).slope, Vec2(0.0, 0.0));
 }
 
 TEST(GroundTest, AtEveryBorderTheSlopeOfWhatShowsIsFound) {
   for (const RawPixel at : {RawPixel{9.0, 9.0}, RawPixel{310.0, 8.0}, RawPixel{8.0, 231.0}, RawPixel{311.0, 230.0}}) {
     const Pictures pictures([&](int u, int v) { return 60.0 + 0.2 * (u - at.u_px) - 0.1 * (v - at.v_px); });
     for (const Picture& picture : {pictures.interleaved(), pictures.planar()}) {
-      const Vec2 slope = ground_slope(picture, at, kRadius_px, {.luma = 60.0, .noise = 2.0});
+      const Vec2 slope = ground_plane(picture, at, kRadius_px, {.luma = 60.0, .noise = 2.0}).slope;
       // Half of the ring shows, to one side: its pixels spread half as wide, three times the noise of a whole one.
       EXPECT_NEAR(slope.x(), 0.2, 3.0 * kOfRounding) << at.u_px << ", " << at.v_px;
       EXPECT_NEAR(slope.y(), -0.1, 3.0 * kOfRounding) << at.u_px << ", " << at.v_px;
