@@ -17,8 +17,10 @@ constexpr double kSplitLevel = 0.6;     ///< above it only the top of the spot s
 constexpr double kRoundAspect = 1.2;    ///< up to it an ellipse is taken for one LED seen from the side
 constexpr double kUsualMisfit = 0.05;   ///< of the amplitude: tone curve, halo and mosaic
 constexpr double kDoubtOfMisfit = 3.0;  ///< px of error for each px of sigma and misfit: rendered hidden and near spots
-constexpr double kPixelGrain_px2 = 0.45;  ///< long^2 - short^2 of a block of 3 by 2 pixels
-constexpr double kDoubtfulAspect = 1.4;   ///< from it on, for merged or partly hidden
+constexpr double kWellSampled_px = 1.15;   ///< a sharper spot falls between the mosaic's red pixels
+constexpr double kDoubtOfSharpness = 0.6;  ///< px of error for each px of sigma below: rendered spots of 0.6 to 1.2 px
+constexpr double kPixelGrain_px2 = 0.45;   ///< long^2 - short^2 of a block of 3 by 2 pixels
+constexpr double kDoubtfulAspect = 1.4;    ///< from it on, for merged or partly hidden
 
 /// Half-windows in which a spot may fit; halos and big spots need the larger ones.
 std::array<int, 3> half_windows(int width_px) {
@@ -199,7 +201,8 @@ void Inspector::make_point(const SpotMeasurement& measured) {
   const double stretched_px = doubt_of_stretched_px(area_);
   const double misfit_px =
       kDoubtOfMisfit * fit.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
-  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px;
+  const double sharp_px = kDoubtOfSharpness * std::max(0.0, kWellSampled_px - fit.model.sigma_px);
+  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px + sharp_px * sharp_px;
   point_ = ImagePoint{.at = seen_.at,
                       .covariance_px2 = fit.covariance_px2 + doubt_px2 * Matrix2::Identity(),
                       .label = std::nullopt,
