@@ -140,6 +140,9 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   around_ = surround_of(window_, area_, peak);
   if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;
   seen_.contrast = static_cast<float>(peak - around_.strength);
+  if (seen_.contrast < static_cast<float>(settings_.min_contrast_of_noise * around_.strength_noise)) {
+    return DropCause::kNoContrast;
+  }
   seen_.crowding = static_cast<float>(around_.crowding);
   seen_.red_step -= static_cast<float>(around_.red);
   seen_.surround_red = static_cast<float>(around_.red);

@@ -15,13 +15,14 @@ struct LedDetectorSettings {
   int max_ring_cells = 8;    ///< of the 16 ring cells, how many may be as bright as the centre
   int max_candidates = 200;  ///< looked at in one picture; more are cut and reported
   // Gates.
-  int min_peak = 850;          ///< S: red at about 45 % of full scale
-  int falloff = 60;            ///< S: how far a spot falls within 4 to 30 px
-  int min_contrast = 45;       ///< S above the background
-  double max_crowding = 0.45;  ///< share of the surroundings that is bright too
-  int min_red_step = 8;        ///< V of the peak above V of the surroundings
-  double min_redness = 0.5;    ///< dV/dY over the flank: a red LED has about 1.7, a warm reflection 0.2 to 0.5
-  double max_hue = 0.6;        ///< -dU/dV over the flank: rendered red LEDs have 0 to 0.5, orange 0.7 and more
+  int min_peak = 850;                  ///< S: red at about 45 % of full scale
+  int falloff = 60;                    ///< S: how far a spot falls within 4 to 30 px
+  int min_contrast = 45;               ///< S above the background
+  double min_contrast_of_noise = 4.0;  ///< the same, in standard deviations of the background
+  double max_crowding = 0.45;          ///< share of the surroundings that is bright too
+  int min_red_step = 8;                ///< V of the peak above V of the surroundings
+  double min_redness = 0.5;            ///< dV/dY over the flank: a red LED has about 1.7, a warm reflection 0.2 to 0.5
+  double max_hue = 0.6;                ///< -dU/dV over the flank: rendered red LEDs have 0 to 0.5, orange 0.7 and more
   int min_over_surface = 45;   ///< S above what a red surface may show where white is as bright as in this picture;
                                ///< not asked for with `min_emission` below 0: then red surfaces are looked for
   double min_emission = 0.0;   ///< dY/dS over the spot: a red object on a lighter ground has about -0.1
