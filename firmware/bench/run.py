@@ -131,6 +131,8 @@ def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
     figures += of_program(programs / "bench_exposure")
+    of_program(programs / "bench_clutter")  # for its table: every size and format, and what is harder
+    figures += of_program(programs / "bench_clutter", "--row", "640_yuyv", "--scenes", "1000")
     figures += of_instructions(programs) + of_program(programs / "bench_mjpeg")
     figures += [figure for figure in of_program(programs / "bench_modbus") if figure["name"] == "torn_reads"]
     figures += of_the_unit(programs)
