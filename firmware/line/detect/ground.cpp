@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kRoughest = 3.0;  // a step of that height moves a spot by less than its floor
 constexpr double kOfNoise = 4.0;
-constexpr double kFewest = 64.0;  // pixels of a plane
-constexpr int kStep_px = 2;       // every second pixel of every second row: noise averages out over the ring
+constexpr double kFewest = 32.0;  // pixels of a plane
+constexpr int kStep_px = 2;       // every second pixel of every fourth row: noise averages out over the ring
+constexpr int kRowStep = 2 * kStep_px;
 constexpr int kVector_px = 4 * kStep_px;
 
 /// A ring in the picture, and what of it belongs to the ground.
@@ -109,7 +110,7 @@ GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radi
                   .luma = static_cast<int>(ground.luma),
                   .limit = static_cast<int>(2.0 + kOfNoise * ground.noise)};
   PlaneFit fit;
-  for (int v = std::max(0, row - reach); v <= std::min(size.height_px - 1, row + reach); v += kStep_px) {
+  for (int v = std::max(0, row - reach); v <= std::min(size.height_px - 1, row + reach); v += kRowStep) {
     const int beside = v + kStep_px < size.height_px ? v + kStep_px : v - kStep_px;
     fit.add_row(picture.luma, ring, v, beside);
   }

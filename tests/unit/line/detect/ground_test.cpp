@@ -15,8 +15,8 @@ namespace {
 constexpr ImageSize kSize{320, 240};
 constexpr double kRadius_px = 2.2;
 constexpr Ground kGround{.luma = 60.0, .noise = 0.5};
-// Rounding to whole steps is noise of 0.29; the ring has some 200 pixels that lie 11 px RMS from its middle along each
-// axis: 0.29 / (11 sqrt(200)) = 0.002, and 4 of them.
+// Rounding to whole steps is noise of 0.29; the ring has some 100 pixels that lie 11 px RMS from its middle along each
+// axis: 0.29 / (11 sqrt(100)) = 0.003, and 3 of them.
 constexpr double kOfRounding = 0.008;
 
 using Level = std::function<double(int u, int v)>;  ///< of a pixel
@@ -94,8 +94,8 @@ TEST(GroundTest, GrainIsTheNoiseFromPixelToPixelAndNoPattern) {
   const Pictures noisy([&](int, int) { return 60.0 + noise(random); });
   const Pictures patterned([](int u, int v) { return 60.0 + 4.0 * std::sin(0.25 * u) * std::cos(0.2 * v); });
   const Ground ground{.luma = 60.0, .noise = 3.0};
-  // From some 200 differences: 3 sqrt(1 / 200) = 0.2, and 3 of them. Rounding adds 0.29 in squares.
-  EXPECT_NEAR(ground_plane(noisy.interleaved(), {100.0, 90.0}, kRadius_px, ground).grain, 3.0, 0.6);
+  // From some 100 differences: 3 sqrt(1 / 100) = 0.3, and 3 of them. Rounding adds 0.29 in squares.
+  EXPECT_NEAR(ground_plane(noisy.interleaved(), {100.0, 90.0}, kRadius_px, ground).grain, 3.0, 0.9);
   // Two rows apart the pattern changes by 0.4 of a step of its 4 at most: 1.6 / sqrt(2) at its steepest.
   EXPECT_LT(ground_plane(patterned.interleaved(), {100.0, 90.0}, kRadius_px, ground).grain, 0.8);
 }
