@@ -28,7 +28,7 @@ struct LedDetectorSettings {
   double min_emission = 0.0;   ///< dY/dS over the spot: a red object on a lighter ground has about -0.1
   double max_aspect = 1.9;     ///< long over short axis
   double max_residual = 0.30;  ///< RMS of the fit over the amplitude
-  double min_sigma_px = 0.55;
+  double min_sigma_px = 0.85;  ///< rendered LEDs have 1.1 and more, a red hot pixel behind the demosaicing about 0.75
   double max_sigma_px = 4.0;
   double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds
   double weak_sigma_px = 0.10;        ///< of the centre measured on Y: above it S is measured instead of Y

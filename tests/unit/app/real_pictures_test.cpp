@@ -33,7 +33,6 @@ const std::vector<KnownSpot> kRedLights{
     {"CargoSideStraightDark72in.jpg", {302.7, 121.5}, "status light, upper of two"},
     {"BlueGoal-180in-Center.jpg", {528.7, 453.5}, "row of LEDs, lower of two"},
     {"BlueGoal-180in-Center.jpg", {59.2, 474.1}, "row of LEDs"},
-    {"BlueGoal-180in-Center.jpg", {54.7, 474.8}, "row of LEDs, its left end"},
     {"BlueGoal-224in-Left.jpg", {372.8, 425.4}, "row of LEDs, lower of two"},
     {"BlueGoal-224in-Left.jpg", {372.3, 420.0}, "row of LEDs, upper of two"},
     {"Amp_85in.jpg", {978.8, 382.1}, "beacon of the field"},
@@ -42,7 +41,6 @@ const std::vector<KnownSpot> kRedLights{
 
 /// No red lights, and kept nevertheless: a single picture cannot tell them, see docs/concepts/detection.md.
 const std::vector<KnownSpot> kMistaken{
-    {"Podium_103in.jpg", {558.2, 597.9}, "red knob in an overexposed picture, clipped"},
     {"RocketPanelStraight48in.jpg", {19.5, 41.4}, "red sign before a dark wall, in an overexposed picture"},
     {"RocketPanelStraightDark96in.jpg", {173.5, 203.4}, "reddish reflection of a lamp in the dark"},
 };

@@ -145,6 +145,16 @@ TEST(DifficultSpotsTest, WeakLedIsMarkedMeasuredOnStrengthAndLessCertain) {
   EXPECT_LT(chi2(detection.points[0], at), kChi2Limit);
 }
 
+TEST(DifficultSpotsTest, SpotSmallerThanALensMakesIsRefusedForItsSize) {
+  // With the tone curve 0.6 px look like 0.78: as a red hot pixel behind the demosaicing, sqrt(1/2) px and more.
+  Painting painting(kSize, 0.02);
+  painting.add(Light{.at = {300.0, 200.0}, .sigma_px = 0.6, .peak = 0.9, .halo = 0.0});
+  const Seen seen = seen_in(painting);
+  EXPECT_TRUE(seen.detection.points.empty());
+  EXPECT_TRUE(std::any_of(seen.log.begin(), seen.log.end(),
+                          [](const Candidate& candidate) { return candidate.cause == DropCause::kWrongSize; }));
+}
+
 TEST(DifficultSpotsTest, SharpLedIsStatedLessCertain) {
   // At a core of 0.7 px a mosaic displaces a spot by 0.16 px RMS (tripointd's renderer, 320x240), which one picture of
   // a spot without a mosaic cannot show.
