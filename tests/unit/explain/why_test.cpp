@@ -52,8 +52,15 @@ TEST(WhyTest, TheLimitOfARedSurfaceIsThatOfThePicture) {
 }
 
 TEST(WhyTest, TheSizeHasTwoLimits) {
-  EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 0.4F)), "sigma 0.40 < 0.55");
-  EXPECT_EQ(why_of(with(DropCause::kWrongSize, &Candidate::sigma_px, 12.0F)), "sigma 12.00 > 10.24");  // 0.016 of 640
+  LedDetectorSettings settings;
+  settings.min_sigma_px = 0.5;
+  settings.max_sigma_px = 4.0;
+  settings.max_sigma_of_width = 0.016;
+  const auto of_sigma = [&](float sigma_px) {
+    return why(with(DropCause::kWrongSize, &Candidate::sigma_px, sigma_px), settings, 640);
+  };
+  EXPECT_EQ(of_sigma(0.4F), "sigma 0.40 < 0.50");
+  EXPECT_EQ(of_sigma(12.0F), "sigma 12.00 > 10.24");
 }
 
 TEST(WhyTest, AKeptOneTellsWhatWasMeasured) {
