@@ -81,6 +81,16 @@ TEST(LightTest, ARedLedHasItsHueHoweverBrightItIsAndInEveryChromaLayout) {
   }
 }
 
+TEST(LightTest, TheColourOfTheGroundIsTakenOff) {
+  Painting painting(kSize, 0.01);
+  painting.add({.at = kPlace, .half_width_px = 90.0, .half_height_px = 90.0, .color = {0.01, 0.02, 0.08}});
+  painting.add(Light{.at = kPlace});
+  const auto seen = candidate_at_place(developed(painting).view());
+  ASSERT_TRUE(seen);
+  // Red is added to blue and green: their tone curve is flatter there, and less of both comes with the red.
+  EXPECT_NEAR(seen->hue, hue_of({1.0, 0.2, 0.1}), 0.1);
+}
+
 TEST(LightTest, AnOrangeLightIsRefusedForItsHue) {
   const YuyvPicture picture = with_light({.at = kPlace, .peak = 1.5, .color = {1.0, 0.22, 0.03}});
   const auto seen = candidate_at_place(picture.view(), {.min_redness = 0.0});
