@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -131,7 +130,7 @@ Overview overview_of(const RgbImage& picture, std::span<const Finding> findings,
     marks.push_back({shown_at(finding.candidate.at, scale), reach_px(finding)});
     texts.push_back({label_of(finding, settings, picture.size.width_px), type_of(finding)});
   }
-  for (const Finding& finding : std::ranges::reverse_view(findings)) draw_mark(canvas, finding, scale);
+  for (std::size_t i = findings.size(); i-- > 0;) draw_mark(canvas, findings[i], scale);  // the first on top
   overview.unlabelled = label_all(canvas, findings, marks, texts);
   overview.image = canvas.image();
   return overview;
