@@ -52,7 +52,7 @@ struct RecordingConfig {
 /// The names and units of LedDetectorSettings.
 struct DetectorConfig {
   ConfiguredDetector kind = ConfiguredDetector::kLed;
-  int min_peak = 850;
+  int min_peak = 780;
   int min_contrast = 45;
   double min_emission = 0.0;
 };

@@ -15,7 +15,7 @@ struct LedDetectorSettings {
   int max_ring_cells = 8;    ///< of the 16 ring cells, how many may be as bright as the centre
   int max_candidates = 200;  ///< looked at in one picture; more are cut and reported
   // Gates.
-  int min_peak = 850;                  ///< S: red at about 45 % of full scale
+  int min_peak = 780;                  ///< S: red at about a third of full scale; shared chroma dims small spots
   int falloff = 60;                    ///< S: how far a spot falls within 4 to 30 px
   int min_contrast = 45;               ///< S above the background
   double min_contrast_of_noise = 4.0;  ///< the same, in standard deviations of the background

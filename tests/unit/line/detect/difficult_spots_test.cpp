@@ -199,7 +199,7 @@ TEST(DifficultSpotsTest, LedOnPatternedGroundIsCoveredByItsCovariance) {
 
 TEST(DifficultSpotsTest, TooDimALedIsRefusedAsDim) {
   Painting painting(kSize, 0.005);
-  painting.add(Light{.at = {300.2, 200.4}, .peak = 0.1});
+  painting.add(Light{.at = {300.2, 200.4}, .peak = 0.07});
   const Seen seen = seen_in(painting);
   EXPECT_TRUE(seen.detection.points.empty());
   EXPECT_TRUE(dropped_for(seen.log, DropCause::kDim));
