@@ -45,6 +45,7 @@ struct Tally {
   int found = 0;
   int covered = 0;
   double squares_px2 = 0.0;
+  double stated_px2 = 0.0;
   std::map<std::string, int> misses;  ///< by cause
   std::array<int, kCompanyNames.size()> missed_in{};
   std::map<Origin, int> false_points;  ///< in single views
@@ -103,6 +104,7 @@ void count(Tally& tally, const ViewScore& view) {
     ++tally.found;
     tally.covered += led.covered ? 1 : 0;
     tally.squares_px2 += led.error_px * led.error_px;
+    tally.stated_px2 += led.stated_px * led.stated_px;
   }
   for (const PointScore& point : view.points) {
     if (point.origin != Origin::kLed) ++tally.false_points[point.origin];
@@ -180,9 +182,10 @@ void print_row(const Row& row, const Tally& tally) {
     const auto found = tally.false_points.find(origin);
     return (found == tally.false_points.end() ? 0.0 : found->second) / (2.0 * tally.scenes);
   };
-  std::fprintf(stderr, "%-24s %5d %6.4f %7.4f %6.4f | %6.3f %6.3f %6.3f %6.3f %6.3f | %5d %5d %5d %5d |",
+  std::fprintf(stderr, "%-24s %5d %6.4f %7.4f %6.4f %6.4f | %6.3f %6.3f %6.3f %6.3f %6.3f | %5d %5d %5d %5d |",
                row.name.c_str(), tally.asked, tally.found_share(), tally.covered / std::max(1.0, tally.found * 1.0),
-               std::sqrt(tally.squares_px2 / std::max(1.0, 2.0 * tally.found)), of(Origin::kRedLamp),
+               std::sqrt(tally.squares_px2 / std::max(1.0, 2.0 * tally.found)),
+               std::sqrt(tally.stated_px2 / std::max(1.0, 1.0 * tally.found)), of(Origin::kRedLamp),
                of(Origin::kReflection), of(Origin::kOtherLight), of(Origin::kHotPixel), of(Origin::kThing),
                tally.pairs.leds, tally.pairs.ghosts, tally.pairs.red_lights, tally.pairs.others);
   for (std::size_t i = 0; i < kCompanyNames.size(); ++i)
@@ -201,10 +204,11 @@ std::vector<Figure> figures_of(const Tally& tally) {
 int run(const Options& options) {
   std::fprintf(
       stderr,
-      "%-24s %5s %6s %7s %6s | false points a view                | stereo pairs            | misses              |\n"
-      "%-24s %5s %6s %7s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | alone beside outsh. | misses by cause\n",
-      "", "LEDs", "found", "in 3 s.", "RMS px", "", "", "", "", "", "lamp", "mirror", "light", "hot px", "thing", "LED",
-      "ghost", "red", "other");
+      "%-24s %5s %6s %7s %6s %6s | false points a view                | stereo pairs            | misses              "
+      "|\n"
+      "%-24s %5s %6s %7s %6s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | alone beside outsh. | misses by cause\n",
+      "", "LEDs", "found", "in 3 s.", "RMS px", "stated", "", "", "", "", "", "", "lamp", "mirror", "light", "hot px",
+      "thing", "LED", "ghost", "red", "other");
   std::vector<Figure> figures;
   for (const Row& row : rows()) {
     if (!options.row.empty() && options.row != row.name) continue;

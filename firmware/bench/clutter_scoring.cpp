@@ -74,6 +74,7 @@ LedScore led_score(const Detection& detection, const CandidateLog& candidates, c
     if (error_px >= score.error_px || (error_px > kFoundWithin_px && !within_stated)) continue;
     score.found = true;
     score.covered = within_stated;
+    score.stated_px = std::sqrt(0.5 * point.covariance_px2.trace());
     score.error_px = error_px;
   }
   if (!score.found) score.cause = cause_of_miss(candidates, light);

@@ -33,9 +33,10 @@ struct LedScore {
   double peak = 0.0;  ///< times clip
   Company company = Company::kAlone;
   bool found = false;
-  bool covered = false;   ///< found, and within three stated deviations (98.9 % of a true normal error)
-  double error_px = 0.0;  ///< of the found point
-  std::string cause{};    ///< of a miss: the drop cause that came furthest, "off" for a kept one too far away
+  bool covered = false;    ///< found, and within three stated deviations (98.9 % of a true normal error)
+  double error_px = 0.0;   ///< of the found point
+  double stated_px = 0.0;  ///< its own standard deviation, per axis
+  std::string cause{};     ///< of a miss: the drop cause that came furthest, "off" for a kept one too far away
 };
 
 struct PointScore {
