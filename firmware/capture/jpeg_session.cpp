@@ -30,13 +30,16 @@ bool harmless(const jpeg_error_mgr& errors) {
   }
 }
 
-/// Plain data only: libjpeg may jump out of it.
-void decode_rows(jpeg_decompress_struct& codec, const std::array<JpegTarget, 3>& targets) {
+/// Plain data only: libjpeg may jump out of it. Of components that are not needed it decodes the entropy alone;
+/// at the start of decompression all are, so that each gets its tables.
+void decode_rows(jpeg_decompress_struct& codec, const std::array<JpegTarget, 3>& targets,
+                 std::span<const bool> chosen) {
   std::array<std::array<JSAMPROW, kMaxRowsOfCall>, 3> rows{};
   std::array<JSAMPARRAY, 3> components{rows[0].data(), rows[1].data(), rows[2].data()};
   const auto lines_of_call = static_cast<JDIMENSION>(codec.max_v_samp_factor * DCTSIZE);
   for (std::size_t call = 0; codec.output_scanline < codec.output_height; ++call) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(codec.num_components); ++c) {
+      codec.comp_info[c].component_needed = chosen[call] ? TRUE : FALSE;
       const auto rows_of_call = static_cast<std::size_t>(codec.comp_info[c].v_samp_factor) * DCTSIZE;
       for (std::size_t r = 0; r < rows_of_call; ++r) {
         rows[c][r] = targets[c].data + (call * rows_of_call + r) * targets[c].stride_bytes;
@@ -90,15 +93,17 @@ bool JpegSession::read_header() {
   return true;
 }
 
-bool JpegSession::read_planes(const std::array<JpegTarget, 3>& targets) {
+bool JpegSession::read_planes(const std::array<JpegTarget, 3>& targets, std::span<const bool> chosen) {
   if (setjmp(escape_) != 0) return false;
+  const std::size_t before_scans = jpeg_.size() - codec_.src->bytes_in_buffer;
   codec_.raw_data_out = TRUE;
   codec_.out_color_space = codec_.jpeg_color_space;
   codec_.do_block_smoothing = FALSE;
   codec_.dct_method = JDCT_ISLOW;
   jpeg_start_decompress(&codec_);
-  decode_rows(codec_, targets);
+  decode_rows(codec_, targets, chosen);
   jpeg_finish_decompress(&codec_);  // reads on to the end marker: its absence is a warning, hence an error
+  scans_ = jpeg_.subspan(before_scans, jpeg_.size() - codec_.src->bytes_in_buffer - before_scans);
   return true;
 }
 // NOLINTEND(cert-err52-cpp)

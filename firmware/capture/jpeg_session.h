@@ -34,9 +34,16 @@ class JpegSession {
 
   /// @return false when the header is damaged; `error` says how
   [[nodiscard]] bool read_header();
-  /// Decodes every component as it is stored: no upsampling, no colour conversion. To be called once.
+  /// Decodes every component as it is stored: no upsampling, no colour conversion. To be called once. Of rows that are
+  /// not chosen the inverse DCT is saved and the target left as it was; damage is found in them all the same.
+  ///
+  /// @param chosen one for each row of MCUs
   /// @return false when the data is damaged; `error` says how and the targets hold nothing of worth
-  [[nodiscard]] bool read_planes(const std::array<JpegTarget, 3>& targets);
+  [[nodiscard]] bool read_planes(const std::array<JpegTarget, 3>& targets, std::span<const bool> chosen);
+
+  /// From the first scan to the end marker: all that says what the picture shows, but for its tables. Empty before
+  /// `read_planes`.
+  [[nodiscard]] std::span<const std::uint8_t> scans() const { return scans_; }
 
   [[nodiscard]] const jpeg_decompress_struct& header() const { return codec_; }
   [[nodiscard]] std::string_view error() const { return message_.data(); }
@@ -48,6 +55,7 @@ class JpegSession {
   void prepare();
 
   std::span<const std::uint8_t> jpeg_;
+  std::span<const std::uint8_t> scans_;
   jpeg_decompress_struct codec_{};
   jpeg_error_mgr errors_{};
   jpeg_progress_mgr progress_{};

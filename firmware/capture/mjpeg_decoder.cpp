@@ -16,6 +16,8 @@ struct Layout {
   std::size_t components = 0;
   std::array<std::size_t, 3> stride_bytes{};
   std::array<std::size_t, 3> rows{};
+  std::size_t rows_of_units = 0;
+  int unit_height_px = 0;
   bool chroma_columns_halved = false;
   bool chroma_rows_halved = false;
 };
@@ -25,8 +27,8 @@ tl::unexpected<Error> corrupt(std::string_view why) {
 }
 
 bool fits(ImageSize size, std::optional<ImageSize> expected) {
-  if (expected) return size == *expected;
-  return size.width_px <= kMaxPictureSide_px && size.height_px <= kMaxPictureSide_px;
+  return (!expected || size == *expected) && size.width_px <= kMaxPictureSide_px &&
+         size.height_px <= kMaxPictureSide_px;
 }
 
 bool of_known_kind(const jpeg_decompress_struct& header) {
@@ -52,14 +54,14 @@ Layout layout_of(const jpeg_decompress_struct& header) {
   Layout layout;
   layout.size = {static_cast<int>(header.image_width), static_cast<int>(header.image_height)};
   layout.components = static_cast<std::size_t>(header.num_components);
-  const auto rows_of_units = static_cast<std::size_t>(header.max_v_samp_factor) * DCTSIZE;
-  const std::size_t units = (header.image_height + rows_of_units - 1) / rows_of_units;
+  layout.unit_height_px = header.max_v_samp_factor * DCTSIZE;
+  layout.rows_of_units = static_cast<std::size_t>((layout.size.height_px - 1) / layout.unit_height_px + 1);
   for (std::size_t c = 0; c < layout.components; ++c) {
     const jpeg_component_info& component = header.comp_info[c];
     const auto per_unit = static_cast<std::size_t>(component.h_samp_factor) * DCTSIZE;
     const auto unit_width = static_cast<std::size_t>(header.max_h_samp_factor) * DCTSIZE;
     layout.stride_bytes[c] = (header.image_width + unit_width - 1) / unit_width * per_unit;
-    layout.rows[c] = units * static_cast<std::size_t>(component.v_samp_factor) * DCTSIZE;
+    layout.rows[c] = layout.rows_of_units * static_cast<std::size_t>(component.v_samp_factor) * DCTSIZE;
   }
   if (layout.components == 3) {
     layout.chroma_columns_halved = header.comp_info[1].h_samp_factor != header.max_h_samp_factor;
@@ -68,10 +70,39 @@ Layout layout_of(const jpeg_decompress_struct& header) {
   return layout;
 }
 
-/// 4:4:4 and 4:4:0 to half width, in place.
-void halve_columns(std::vector<std::uint8_t>& plane, const Layout& layout, std::size_t component) {
+/// Which rows of MCUs were chosen.
+using UnitRows = std::array<bool, kMaxPictureSide_px / DCTSIZE>;
+
+UnitRows rows_in(const RowBands& bands, const Layout& layout) {
+  UnitRows chosen{};
+  for (std::size_t i = 0; i < layout.rows_of_units; ++i) {
+    const int top_px = static_cast<int>(i) * layout.unit_height_px;
+    chosen[i] = std::any_of(bands.begin(), bands.end(), [&](const RowBand& band) {
+      return band.top_px < top_px + layout.unit_height_px && band.bottom_px > top_px;
+    });
+  }
+  return chosen;
+}
+
+/// The rows that were chosen, as bands; no more than were asked for, since each holds one of those.
+RowBands bands_of(const UnitRows& chosen, const Layout& layout) {
+  RowBands bands;
+  for (std::size_t i = 0; i < layout.rows_of_units; ++i) {
+    if (!chosen[i]) continue;
+    const int top_px = static_cast<int>(i) * layout.unit_height_px;
+    if (i == 0 || !chosen[i - 1]) bands.push_back({top_px, top_px});
+    bands.back().bottom_px = std::min(top_px + layout.unit_height_px, layout.size.height_px);
+  }
+  return bands;
+}
+
+/// 4:4:4 and 4:4:0 to half width, in place, in the rows of MCUs that were decoded.
+void halve_columns(std::vector<std::uint8_t>& plane, const Layout& layout, std::size_t component,
+                   const UnitRows& chosen) {
   const auto width = static_cast<std::size_t>(layout.size.width_px);
+  const std::size_t rows_of_one = layout.rows[component] / layout.rows_of_units;
   for (std::size_t row = 0; row < layout.rows[component]; ++row) {
+    if (!chosen[row / rows_of_one]) continue;
     std::uint8_t* values = plane.data() + row * layout.stride_bytes[component];
     for (std::size_t x = 0; x < width; x += 2) {
       const std::size_t next = std::min(x + 1, width - 1);
@@ -80,9 +111,28 @@ void halve_columns(std::vector<std::uint8_t>& plane, const Layout& layout, std::
   }
 }
 
+using Planes = std::array<std::vector<std::uint8_t>, 3>;
+
+Picture picture_in(Planes& planes, const Layout& layout, const UnitRows& chosen) {
+  Picture picture{.size = layout.size,
+                  .luma = {planes[0].data(), layout.stride_bytes[0], 1},
+                  .u = {},
+                  .v = {},
+                  .chroma_rows_halved = layout.chroma_rows_halved};
+  if (layout.components == 1) return picture;
+  for (const std::size_t c : {1U, 2U}) {
+    if (!layout.chroma_columns_halved) halve_columns(planes[c], layout, c, chosen);
+  }
+  picture.u = {planes[1].data(), layout.stride_bytes[1], 1};
+  picture.v = {planes[2].data(), layout.stride_bytes[2], 1};
+  return picture;
+}
+
 }  // namespace
 
-Result<Picture> MjpegDecoder::decode(std::span<const std::uint8_t> jpeg, std::optional<ImageSize> expected) {
+Result<Picture> MjpegDecoder::decode(std::span<const std::uint8_t> jpeg, std::optional<ImageSize> expected,
+                                     const RowBands& bands) {
+  coded_ = {};
   JpegSession session(jpeg);
   if (!session.read_header()) return corrupt(session.error());
   const jpeg_decompress_struct& header = session.header();
@@ -98,17 +148,13 @@ Result<Picture> MjpegDecoder::decode(std::span<const std::uint8_t> jpeg, std::op
     if (planes_[c].size() < needed) planes_[c].resize(needed);
     targets[c] = {planes_[c].data(), layout.stride_bytes[c]};
   }
-  if (!session.read_planes(targets)) return corrupt(session.error());
-
-  Picture picture{.size = layout.size, .luma = {planes_[0].data(), layout.stride_bytes[0], 1}, .u = {}, .v = {}};
-  if (layout.components == 1) return picture;
-  if (!layout.chroma_columns_halved) {
-    halve_columns(planes_[1], layout, 1);
-    halve_columns(planes_[2], layout, 2);
-  }
-  picture.u = {planes_[1].data(), layout.stride_bytes[1], 1};
-  picture.v = {planes_[2].data(), layout.stride_bytes[2], 1};
-  picture.chroma_rows_halved = layout.chroma_rows_halved;
+  UnitRows chosen = rows_in(bands, layout);
+  const RowBands decoded = bands_of(chosen, layout);
+  if (decoded.empty()) chosen.fill(true);
+  if (!session.read_planes(targets, chosen)) return corrupt(session.error());
+  coded_ = session.scans();
+  Picture picture = picture_in(planes_, layout, chosen);
+  picture.bands = decoded;
   return picture;
 }
 

@@ -23,13 +23,23 @@ class MjpegDecoder {
   /// The accurate DCT (JDCT_ISLOW) is used: 0.44 ms for 640x480 4:2:2 at quality 85 against 0.41 ms with the fast one
   /// (libjpeg-turbo 2.1, x86-64). Seven percent is not worth an error in the luma that spots are measured on.
   ///
+  /// All of the data is read and checked, whatever rows are decoded.
+  ///
   /// @param expected the size the camera was set to; nothing = any size up to kMaxPictureSide_px
+  /// @param bands    rows to decode, widened to whole rows of MCUs (8 or 16 px); bands that touch nothing of the
+  ///                 picture, or none, mean all of it
   /// @return a view into this decoder, valid until the next call; kCorruptFrame for data that is damaged, ends early,
   ///         has another size than expected, or is of a kind no camera sends
-  Result<Picture> decode(std::span<const std::uint8_t> jpeg, std::optional<ImageSize> expected);
+  Result<Picture> decode(std::span<const std::uint8_t> jpeg, std::optional<ImageSize> expected,
+                         const RowBands& bands = {});
+
+  /// The coded data of the picture that `decode` returned last, a part of what it was given: two pictures of a camera
+  /// that agree in it are one, whatever else their headers count.
+  [[nodiscard]] std::span<const std::uint8_t> coded() const { return coded_; }
 
  private:
   std::array<std::vector<std::uint8_t>, 3> planes_;
+  std::span<const std::uint8_t> coded_;
 };
 
 }  // namespace tripoint

@@ -1,4 +1,5 @@
-// Any bytes as a camera's MJPEG frame: refused or whole, and every value of a whole picture can be read.
+// Any bytes as a camera's MJPEG frame: refused or whole, and every value of a whole picture can be read. A band of rows
+// is refused when the whole is, and shows the same.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -23,6 +24,32 @@ std::uint64_t sum_of(const tripoint::Picture& picture) {
     }
   }
   return sum;
+}
+
+/// Nothing is compared where a picture has no chroma.
+bool same_row(const tripoint::Picture& part, const tripoint::Picture& whole, int y) {
+  const int chroma_y = part.chroma_rows_halved ? y / 2 : y;
+  for (int x = 0; x < part.size.width_px; ++x) {
+    if (part.luma.at(x, y) != whole.luma.at(x, y)) return false;
+    if (part.v.data != nullptr && part.v.at(x / 2, chroma_y) != whole.v.at(x / 2, chroma_y)) return false;
+  }
+  return true;
+}
+
+/// The rows in the middle against those of the whole picture.
+void check_band(std::span<const std::uint8_t> jpeg, tripoint::ImageSize size, const tripoint::Picture* whole) {
+  static tripoint::MjpegDecoder decoder;
+  tripoint::RowBands middle;
+  middle.push_back({size.height_px / 3, size.height_px / 2 + 1});
+  const auto part = decoder.decode(jpeg, size, middle);
+  if (part.has_value() != (whole != nullptr)) std::abort();
+  if (!part) return;
+  if (part->bands.size() > 1) std::abort();
+  for (const tripoint::RowBand& band : part->bands) {
+    for (int y = band.top_px; y < band.bottom_px; ++y) {
+      if (!same_row(*part, *whole, y)) std::abort();
+    }
+  }
 }
 
 std::uint64_t largest_sum(tripoint::ImageSize size) {
@@ -51,5 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto picture = decoder.decode(jpeg, std::nullopt);
   if (picture && sum_of(*picture) > largest_sum(picture->size)) std::abort();
+  if (picture) check_band(jpeg, picture->size, &*picture);
+  if (!picture) check_band(jpeg, *claimed, nullptr);
   return 0;
 }

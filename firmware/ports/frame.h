@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "values/fixed_vector.h"
 #include "values/pixel.h"
 #include "values/side.h"
 #include "values/time.h"
@@ -37,6 +38,16 @@ struct Plane {
   }
 };
 
+/// Rows of a picture, from side to side.
+struct RowBand {
+  int top_px = 0;
+  int bottom_px = 0;  ///< first row below it
+  friend bool operator==(const RowBand&, const RowBand&) = default;
+};
+
+inline constexpr std::size_t kMaxBands = 12;  ///< one for each point of a target
+using RowBands = FixedVector<RowBand, kMaxBands>;
+
 /// A decoded picture: full-size luma, chroma at half width and, when `chroma_rows_halved`, half height.
 /// Chroma planes are absent (null) for GREY. In YUYV all three look into the camera's buffer.
 struct Picture {
@@ -46,6 +57,7 @@ struct Picture {
   Plane v;
   bool chroma_rows_halved = false;
   bool interleaved_yuyv = false;  ///< luma.data is the start of a YUYV buffer
+  RowBands bands{};  ///< the rows that were decoded, from above, apart; empty = all. Others hold old values
 };
 
 /// The planes of an unpacked YUYV or GREY frame, without copying. MJPEG needs capture's decoder.
