@@ -70,6 +70,8 @@ std::string_view in_words(DropCause cause) {
       return "too little shows, or off centre";
     case DropCause::kCutByBorder:
       return "the picture ends inside";
+    case DropCause::kBeyondBand:
+      return "not all around it was decoded";
     case DropCause::kNoRoom:
       return "the list of points is full";
     default:

@@ -30,6 +30,7 @@ struct ImagePoint {
   double peak = 0.0;       ///< largest luma value
   bool saturated = false;  ///< all three channels clip; a clipped red channel alone is the recommended exposure
   bool weak = false;
+  int reach_px = 0;  ///< rows above and below that had a say; regions of the next pictures must hold them
 };
 
 enum class Coverage : std::uint8_t { kWholeFrame, kRegions };

@@ -34,12 +34,13 @@ enum class DropCause : std::uint8_t {
   kOtherHue,      ///< red by orange light: more green in it than a red LED has
   kRedSurface,    ///< no stronger than a red surface in the light of this picture may be
   kNoRoom,        ///< the list of points is full
+  kBeyondBand,    ///< what had to be looked at was not all decoded
 };
-inline constexpr std::array<std::string_view, 22> kDropCauseNames{
+inline constexpr std::array<std::string_view, 23> kDropCauseNames{
     "kept",          "seen_before", "dim",         "no_falloff", "no_contrast", "too_large",
     "too_small",     "elongated",   "no_surround", "crowded",    "not_redder",  "not_red",
     "not_emitting",  "fit_failed",  "poor_fit",    "wrong_size", "weak",        "cut_by_border",
-    "wrong_profile", "other_hue",   "red_surface", "no_room"};
+    "wrong_profile", "other_hue",   "red_surface", "no_room",    "beyond_band"};
 
 constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
 

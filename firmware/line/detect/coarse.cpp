@@ -154,11 +154,19 @@ void CellMap::resize(int columns, int rows) {
   cells_.assign(stride_ * static_cast<std::size_t>(rows + 2 * kMargin) + kLead, 0);
 }
 
+/// Rows of cells that lie in the band as a whole.
+void CoarseMap::read_rows(const Picture& picture, const RowBand& band) {
+  const bool to_the_end = band.bottom_px >= picture.size.height_px;
+  const int last = to_the_end ? levels_[0].rows() : band.bottom_px / kCellPx;
+  for (int row = (band.top_px + kCellPx - 1) / kCellPx; row < last; ++row) read_row(levels_[0], picture, row);
+}
+
 void CoarseMap::read(const Picture& picture) {
   TRIPOINT_ASSERT(picture.v.data != nullptr);
   used_ = picture.size.width_px >= 640 ? 3 : 2;
   levels_[0].resize((picture.size.width_px + 7) / kCellPx, (picture.size.height_px + 7) / kCellPx);
-  for (int row = 0; row < levels_[0].rows(); ++row) read_row(levels_[0], picture, row);
+  for (const RowBand& band : picture.bands) read_rows(picture, band);
+  if (picture.bands.empty()) read_rows(picture, {0, picture.size.height_px});
   for (std::size_t k = 1; k < used_; ++k) {
     levels_[k].resize((levels_[k - 1].columns() + 1) / 2, (levels_[k - 1].rows() + 1) / 2);
     halve(levels_[k - 1], levels_[k]);

@@ -39,13 +39,16 @@ class CoarseMap {
   static constexpr int kCellPx = 8;
   static constexpr std::size_t kLevels = 3;
 
-  /// Reads the whole picture. The 32 px level exists from 640 px width up.
+  /// Reads the whole picture, or its bands: the other cells keep what they last showed. The 32 px level exists from
+  /// 640 px width up.
   void read(const Picture& picture);
 
   /// Cells of 8, 16 and 32 px.
   [[nodiscard]] std::span<const CellMap> levels() const { return {levels_.data(), used_}; }
 
  private:
+  void read_rows(const Picture& picture, const RowBand& band);
+
   std::array<CellMap, kLevels> levels_;
   std::size_t used_ = 0;
 };

@@ -29,11 +29,11 @@ int brightest_near(const Picture& picture, PixelPlace start) {
   return brightest;
 }
 
-bool falls_below(const Picture& picture, PixelPlace start, int level) {
+std::optional<int> falloff_px(const Picture& picture, PixelPlace start, int level) {
   constexpr std::array<int, 4> kRadii{4, 8, 16, 30};
   constexpr std::array<std::array<int, 2>, 8> kDirections{
       {{10, 0}, {7, 7}, {0, 10}, {-7, 7}, {-10, 0}, {-7, -7}, {0, -10}, {7, -7}}};
-  return std::any_of(kRadii.begin(), kRadii.end(), [&](int radius) {
+  const auto* const found = std::find_if(kRadii.begin(), kRadii.end(), [&](int radius) {
     const auto low = std::count_if(kDirections.begin(), kDirections.end(), [&](const std::array<int, 2>& d) {
       const int u = start.u_px + d[0] * radius / 10;
       const int v = start.v_px + d[1] * radius / 10;
@@ -41,6 +41,7 @@ bool falls_below(const Picture& picture, PixelPlace start, int level) {
     });
     return low >= 6;
   });
+  return found == kRadii.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace tripoint

@@ -90,13 +90,15 @@ class PlaneFit {
   Ints4 steps_{}, step_step_{};  // from row to row
 };
 
+double outer_radius_px(double radius_px) { return 3.0 * radius_px + 12.0; }
+
 int square_of(double radius_px) { return static_cast<int>(radius_px * radius_px); }
 
 }  // namespace
 
 GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground) {
   const double inner_px = 1.6 * radius_px + 3.0;  // outside of what the fit sees
-  const double outer_px = 3.0 * radius_px + 12.0;
+  const double outer_px = outer_radius_px(radius_px);
   const auto column = static_cast<int>(std::lround(at.u_px));
   const auto row = static_cast<int>(std::lround(at.v_px));
   const auto reach = static_cast<int>(outer_px);
@@ -116,5 +118,7 @@ GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radi
   }
   return {.slope = ground.noise > kRoughest ? Vec2(0.0, 0.0) : fit.slope(), .grain = fit.grain()};
 }
+
+int ground_reach_px(double radius_px) { return static_cast<int>(outer_radius_px(radius_px)) + kStep_px; }
 
 }  // namespace tripoint

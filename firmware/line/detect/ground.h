@@ -25,4 +25,7 @@ struct GroundPlane {
 /// @param radius_px  of the spot at half contrast
 GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radius_px, const Ground& ground);
 
+/// How far from the nearest pixel that ring reaches.
+int ground_reach_px(double radius_px);
+
 }  // namespace tripoint

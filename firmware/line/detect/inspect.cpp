@@ -12,6 +12,7 @@ namespace {
 
 /// Of the contrast: a spot beside another stands alone higher up.
 constexpr std::array<double, 3> kLevels{0.5, 0.7, 0.85};
+constexpr int kPeakReach_px = 2;        ///< rows around the start in which the peak is sought
 constexpr double kAloneAspect = 1.82;   ///< longer than this, the next level is tried
 constexpr double kSplitLevel = 0.6;     ///< above it only the top of the spot stood alone
 constexpr double kRoundAspect = 1.2;    ///< up to it an ellipse is taken for one LED seen from the side
@@ -46,8 +47,20 @@ Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
   seen_.start_v_px = start.v_px;
   seen_.at = {static_cast<double>(start.u_px), static_cast<double>(start.v_px)};
   point_.reset();
+  looked_ = {start.v_px, start.v_px + 1};
+  look_at_rows(start.v_px, kPeakReach_px);
   seen_.cause = judge(picture);
-  return {seen_, seen_.cause == DropCause::kKept ? point_ : std::nullopt};
+  return {seen_, seen_.cause == DropCause::kKept ? point_ : std::nullopt, looked_};
+}
+
+void Inspector::look_at_rows(int middle_px, int reach_px) {
+  looked_.top_px = std::min(looked_.top_px, middle_px - reach_px);
+  looked_.bottom_px = std::max(looked_.bottom_px, middle_px + reach_px + 1);
+}
+
+void Inspector::load(const Picture& picture, PixelPlace center, int half) {
+  window_.load(picture, center.u_px, center.v_px, half);
+  look_at_rows(center.v_px, half);
 }
 
 DropCause Inspector::judge(const Picture& picture) {
@@ -66,7 +79,9 @@ DropCause Inspector::stand_out(const Picture& picture) {
   const int peak = brightest_near(picture, start);
   seen_.peak = static_cast<float>(peak);
   if (peak < settings_.min_peak) return DropCause::kDim;
-  return falls_below(picture, start, peak - settings_.falloff) ? DropCause::kKept : DropCause::kNoFalloff;
+  const std::optional<int> falloff = falloff_px(picture, start, peak - settings_.falloff);
+  look_at_rows(start.v_px, falloff.value_or(0));
+  return falloff ? DropCause::kKept : DropCause::kNoFalloff;
 }
 
 void Inspector::find_peak() {
@@ -102,7 +117,7 @@ DropCause Inspector::isolate(const Picture& picture) {
   bool alone = false;
   const auto halves = half_windows(picture.size.width_px);
   for (const int half : halves) {
-    window_.load(picture, seen_.start_u_px, seen_.start_v_px, half);
+    load(picture, {seen_.start_u_px, seen_.start_v_px}, half);
     if (half == halves.front()) find_peak();
     const int background = background_of(window_);
     if (background == SpotWindow::kOutside) return DropCause::kNoSurround;
@@ -129,7 +144,7 @@ void Inspector::show_surround(const Picture& picture) {
   const auto center_u = static_cast<int>(std::lround(seen_.at.u_px));
   const auto center_v = static_cast<int>(std::lround(seen_.at.v_px));
   const int needed = static_cast<int>(std::ceil(reach_px)) + 1;
-  window_.load(picture, center_u, center_v, std::min(needed, SpotWindow::kMaxHalf));
+  load(picture, {center_u, center_v}, std::min(needed, SpotWindow::kMaxHalf));
   area_ = flood_.spread(window_, SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()),
                         threshold_);
 }
@@ -155,6 +170,7 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
 }
 
 DropCause Inspector::fit(const Picture& picture) {
+  look_at_rows(static_cast<int>(std::lround(seen_.at.v_px)), ground_reach_px(area_.radius_px()));
   const GroundPlane ground = ground_plane(picture, seen_.at, area_.radius_px(),
                                           {around_.ground(Channel::kLuma), around_.noise(Channel::kLuma)});
   const auto measured = measurer_.measure({.window = window_,
@@ -213,7 +229,9 @@ void Inspector::make_point(const SpotMeasurement& measured) {
                       .sigma_px = fit.model.sigma_px,
                       .peak = static_cast<double>(measured.peak_luma),
                       .saturated = measured.peak_luma >= settings_.luma_clip,
-                      .weak = by_strength};
+                      .weak = by_strength,
+                      .reach_px = static_cast<int>(
+                          std::ceil(std::max(seen_.at.v_px - looked_.top_px, looked_.bottom_px - 1 - seen_.at.v_px)))};
 }
 
 }  // namespace tripoint

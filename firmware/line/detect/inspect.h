@@ -17,6 +17,7 @@ namespace tripoint {
 struct Inspection {
   Candidate candidate;
   std::optional<ImagePoint> point;  ///< when kept
+  RowBand looked;                   ///< the rows that had a say; may end outside the picture
 };
 
 /// Owns the scratch memory of all gates (about 150 kB); nothing is allocated per frame.
@@ -34,6 +35,8 @@ class Inspector {
   DropCause compare_with_surround(const Picture& picture);
   DropCause fit(const Picture& picture);
 
+  void load(const Picture& picture, PixelPlace center, int half);
+  void look_at_rows(int middle_px, int reach_px);
   void find_peak();
   bool spread_alone(int background);
   void show_surround(const Picture& picture);
@@ -49,6 +52,7 @@ class Inspector {
   // What is known of the candidate at hand.
   Candidate seen_;
   std::optional<ImagePoint> point_;
+  RowBand looked_;  // may end outside the picture
   PixelPlace peak_;
   int threshold_ = 0;
   Area area_;

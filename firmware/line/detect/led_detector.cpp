@@ -20,7 +20,9 @@ LedDetector::LedDetector(const LedDetectorSettings& settings) : settings_(settin
 Detection LedDetector::detect(const Picture& picture, const Forecast& /*forecast*/) {
   log_.clear();
   detection_ = {};
-  light_ = scene_light_of(picture);
+  bands_ = picture.bands;
+  height_px_ = picture.size.height_px;
+  if (bands_.empty()) light_ = scene_light_of(picture);
   detection_.health.mean_luma = light_.mean_luma;
   map_.read(picture);
   const Selection selection = select_cells(map_, settings_);
@@ -29,9 +31,17 @@ Detection LedDetector::detect(const Picture& picture, const Forecast& /*forecast
   return detection_;
 }
 
+bool LedDetector::within_bands(const RowBand& rows) const {
+  return bands_.empty() || std::any_of(bands_.begin(), bands_.end(), [&](const RowBand& band) {
+           const bool from_the_first = band.top_px == 0 || rows.top_px >= band.top_px;
+           const bool to_the_last = band.bottom_px == height_px_ || rows.bottom_px <= band.bottom_px;
+           return from_the_first && to_the_last;
+         });
+}
+
 void LedDetector::look(const Picture& picture, PixelPlace start) {
   std::optional<PixelPlace> next = start;
-  while (next && !covered(*next)) {
+  while (next && within_bands({next->v_px, next->v_px + 1}) && !covered(*next)) {
     if (log_.full()) {
       detection_.health.candidates_cut = true;
       return;
@@ -63,7 +73,7 @@ DropCause LedDetector::judge_light(const Picture& picture, Candidate& candidate)
 void LedDetector::keep(const Picture& picture, const Inspection& inspection) {
   Candidate candidate = inspection.candidate;
   if (inspection.point) {
-    candidate.cause = judge_light(picture, candidate);
+    candidate.cause = within_bands(inspection.looked) ? judge_light(picture, candidate) : DropCause::kBeyondBand;
     if (candidate.cause == DropCause::kKept) candidate.cause = make_room(candidate, *inspection.point);
   }
   log_.push_back(candidate);

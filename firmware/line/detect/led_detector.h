@@ -27,14 +27,19 @@ class LedDetector {
  public:
   explicit LedDetector(const LedDetectorSettings& settings);
 
-  /// @param picture  must have chroma: a GREY picture is a bug of the caller
-  /// The forecast does not steer it: a picture that is in memory is always scanned whole.
+  /// What is in memory is always scanned, whatever the forecast. Of a picture in bands, a spot is found as in the whole
+  /// picture or not at all: it counts only when every row that had a say was decoded. The coarse map and the light of
+  /// the scene keep what the last whole picture showed.
+  ///
+  /// @param picture  must have chroma: a GREY picture is a bug of the caller; its bands are of a picture whose
+  ///                 predecessor of the same size was seen whole
   Detection detect(const Picture& picture, const Forecast& forecast);
 
   /// Everything the last `detect` looked at, kept or dropped, with the cause.
   [[nodiscard]] const CandidateLog& candidates() const { return log_; }
 
  private:
+  [[nodiscard]] bool within_bands(const RowBand& rows) const;
   void look(const Picture& picture, PixelPlace start);
   [[nodiscard]] bool covered(PixelPlace start) const;
   void keep(const Picture& picture, const Inspection& inspection);
@@ -46,7 +51,9 @@ class LedDetector {
   Inspector inspector_;
   CandidateLog log_;
   Detection detection_;
-  SceneLight light_;
+  SceneLight light_;   // of the last whole picture
+  RowBands bands_;     // of the picture at hand
+  int height_px_ = 0;  // of it
 };
 
 }  // namespace tripoint
