@@ -35,9 +35,12 @@ struct ImagePoint {
 
 enum class Coverage : std::uint8_t { kWholeFrame, kRegions };
 
+/// Of a camera's numbers, at least every so manieth is a picture seen whole; regions further from one are not believed.
+inline constexpr std::uint32_t kFramesPerWhole = 5;
+
 /// What the picture as a whole shows, for registers and diagnosis.
 struct ImageHealth {
-  double mean_luma = 0.0;       ///< of a sparse sample
+  double mean_luma = 0.0;       ///< of a sparse sample of the last picture seen whole
   double peak_luma = 0.0;       ///< of the brightest spot
   double focus = 0.0;           ///< 1 / fitted sigma of the sharpest spot, 1/px
   bool candidates_cut = false;  ///< more candidates than the cap: not everything was looked at

@@ -19,11 +19,13 @@ struct ForecastPoint {
   int id = 0;
   PerSide<RawPixel> at;
   PerSide<Matrix2> covariance_px2;
+  PerSide<Vec2> velocity_px_per_s{Vec2::Zero(), Vec2::Zero()};
 };
 
 struct Forecast {
   std::uint64_t number = 0;  ///< 0: no forecast yet
   TimePoint at{};
+  /// Every point of the target, or none at all: whoever looks only there must know where each of them is.
   FixedVector<ForecastPoint, kMaxImagePoints> points;
 };
 

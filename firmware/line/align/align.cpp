@@ -60,11 +60,11 @@ Aligned camera_change(const Tracks& tracks) {
   return seen;
 }
 
-/// Numbers that are none, and spots that were not looked at.
+/// Numbers that are none, spots that were not looked at, and places where nobody looked for others.
 Faults faults_of(const TrackedPicture& picture) {
   Faults faults;
   if (picture.broken) faults.insert(Fault::kInternal);
-  if (picture.health.candidates_cut) faults.insert(Fault::kAmbiguous);
+  if (picture.health.candidates_cut || picture.unwatched) faults.insert(Fault::kAmbiguous);
   return faults;
 }
 

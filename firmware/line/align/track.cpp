@@ -40,6 +40,10 @@ void Track::take(const Observation& seen) {
     if (is_finite(point)) now.points.push_back(point);
   }
   now.broken = now.points.size() < seen.points.size();
+  if (seen.coverage == Coverage::kWholeFrame) {
+    whole_ = Whole{now.frame, now.points.size(), !now.health.candidates_cut};
+  }
+  now.unwatched = seen.coverage == Coverage::kRegions && !now.points.empty() && !watched(now);
   now.first_row_px = size_ > 1 ? picture(1).first_row_px : 0.0;
   if (!now.points.empty()) {
     now.first_row_px = std::min_element(now.points.begin(), now.points.end(), [](const auto& a, const auto& b) {
@@ -47,6 +51,11 @@ void Track::take(const Observation& seen) {
                        })->at.v_px;
   }
   link_to_picture_before(now);
+}
+
+bool Track::watched(const TrackedPicture& regions) const {
+  return whole_ && regions.frame - whole_->frame < kFramesPerWhole && whole_->to_the_end &&
+         whole_->points <= regions.points.size();
 }
 
 void Track::link_to_picture_before(TrackedPicture& now) const {

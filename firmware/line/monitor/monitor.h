@@ -24,15 +24,16 @@ class Monitor {
   /// The next positions are not continuations of the former ones.
   void forget_motion() { motion_.forget(); }
 
-  /// Where the target's point appears in both pictures so long after the newest common time; without points when
-  /// nothing is known.
+  /// Where the target's points appear in both pictures so long after the newest common time; without points when
+  /// nothing is known, also of how a target of several points is turned.
   [[nodiscard]] Forecast forecast(Duration ahead, const LineModel& model) const;
 
  private:
   std::uint64_t learned_ = 0;  // measurements
   TimePoint common_time_{};    // the newest
   Motion motion_;
-  double epipolar_square_px2_ = 0.0;  // exponential mean
+  std::optional<Matrix3> output_from_target_;  // rotation of the newest pose
+  double epipolar_square_px2_ = 0.0;           // exponential mean
   bool epipolar_known_ = false;
 };
 

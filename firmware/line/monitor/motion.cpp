@@ -52,7 +52,8 @@ std::optional<PredictedPosition> Motion::position_at(TimePoint at) const {
   const double velocity_share = known ? 2.0 * ahead_s * ahead_s / (kMemory_s * kMemory_s) : 0.0;
   return PredictedPosition{
       position_mm_ + ahead_s * velocity_mm_per_s_,
-      (1.0 + velocity_share) * covariance_mm2_ + (bend_mm * bend_mm + drift_mm * drift_mm) * Matrix3::Identity()};
+      (1.0 + velocity_share) * covariance_mm2_ + (bend_mm * bend_mm + drift_mm * drift_mm) * Matrix3::Identity(),
+      velocity_mm_per_s_};
 }
 
 }  // namespace tripoint

@@ -12,6 +12,7 @@ namespace tripoint {
 struct PredictedPosition {
   Vec3 in_output_mm = Vec3::Zero();
   Matrix3 covariance_mm2 = Matrix3::Zero();
+  Vec3 velocity_mm_per_s = Vec3::Zero();  ///< zero while unknown
 };
 
 /// Constant velocity: on robot-like moves it predicts better than constant acceleration.

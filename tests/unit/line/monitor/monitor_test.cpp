@@ -58,6 +58,55 @@ TEST(MonitorTest, ForecastsTheSpotInBothPictures) {
   }
 }
 
+TEST(MonitorTest, ForecastsEveryPointOfATargetOnceItsRotationIsKnown) {
+  LineModel model = webcam_model();
+  const Vec3 arm_mm(0.0, 60.0, 10.0);
+  model.target.points.push_back({.id = 2, .in_target_mm = arm_mm});
+  const Matrix3 turned = Eigen::AngleAxisd(0.4, Vec3::UnitX()).toRotationMatrix();
+  Monitor monitor;
+  for (int i = 0; i < 30; ++i) monitor.learn(measured(i / 60.0, {0, 0, 400}), {});
+  EXPECT_TRUE(monitor.forecast(Duration{0}, model).points.empty());  // where the second one is, nobody knows
+  Measurement whole = measured(0.5, {0, 0, 400});
+  whole.pose->output_from_target = turned;
+  monitor.learn(whole, {});
+  const Forecast forecast = monitor.forecast(duration_from_seconds(1.0 / 30.0), model);
+  ASSERT_EQ(forecast.points.size(), 2U);
+  EXPECT_EQ(forecast.points[1].id, 2);
+  const Vec3 there = Vec3(0, 0, 400) + turned * arm_mm;
+  for (const Side side : kBothSides) {
+    const RawPixel truth = testing::pixel_of(model, side, testing::at_rest(there), 0.0, 0.0);
+    EXPECT_NEAR(forecast.points[1].at[side].v_px, truth.v_px, 1e-3);
+    // 1 rad/s for a frame turns the arm by 2 mm, 3 px.
+    EXPECT_GT(forecast.points[1].covariance_px2[side](1, 1), forecast.points[0].covariance_px2[side](1, 1) + 4.0);
+  }
+}
+
+TEST(MonitorTest, ForecastsNothingWhenAPointWouldBeBehindACamera) {
+  LineModel model = webcam_model();
+  model.target.points.push_back({.id = 2, .in_target_mm = {0.0, 0.0, -500.0}});
+  Measurement whole = measured(0.5, {0, 0, 400});
+  whole.pose->output_from_target = Matrix3::Identity();
+  Monitor monitor;
+  monitor.learn(whole, {});
+  EXPECT_TRUE(monitor.forecast(Duration{0}, model).points.empty());
+}
+
+TEST(MonitorTest, ForecastsTheSpeedOfASpot) {
+  Monitor monitor;
+  const LineModel model = webcam_model();
+  const auto position = [](double time_s) { return Vec3(100.0 * time_s, -60.0 * time_s, 400.0); };
+  for (int i = 0; i < 30; ++i) monitor.learn(measured(i / 60.0, position(i / 60.0)), {});
+  const Forecast forecast = monitor.forecast(Duration{0}, model);
+  ASSERT_EQ(forecast.points.size(), 1U);
+  constexpr double kStep_s = 1e-3;
+  for (const Side side : kBothSides) {
+    const RawPixel now = testing::pixel_of(model, side, testing::at_rest(position(29.0 / 60.0)), 0.0, 0.0);
+    const RawPixel then = testing::pixel_of(model, side, testing::at_rest(position(29.0 / 60.0 + kStep_s)), 0.0, 0.0);
+    EXPECT_NEAR(forecast.points[0].velocity_px_per_s[side].x(), (then.u_px - now.u_px) / kStep_s, 0.1);
+    EXPECT_NEAR(forecast.points[0].velocity_px_per_s[side].y(), (then.v_px - now.v_px) / kStep_s, 0.1);
+  }
+}
+
 TEST(MonitorTest, ForecastsNothingBeforeAPoseNorAfterTheMotionIsDropped) {
   Monitor monitor;
   const LineModel model = webcam_model();
