@@ -118,7 +118,8 @@ class EventMaker {
     seen.line_time = frame.line_time;
     seen.points = found.points;
     seen.health = found.health;
-    seen.health.identical = repeats_[frame.side].repeats(*picture);
+    RepeatCheck& repeats = repeats_[frame.side];
+    seen.health.identical = packed ? repeats.repeats(decoder_.coded(), frame.size) : repeats.repeats(*picture);
     return seen;
   }
 

@@ -75,6 +75,7 @@ Error CameraWorker::serve(const std::stop_token& stop) {
   status_.info = (*camera)->info();
   last_sequence_.reset();
   rate_.restart();
+  sightings_ = {};
   connection_ = {.opened = links_.clock.now()};
   while (!stop.stop_requested()) {
     const Result<Observation> observation = observe(**camera);
@@ -124,24 +125,36 @@ bool CameraWorker::may_still_start(const Error& error) const {
 Result<Observation> CameraWorker::observe(Camera& camera) {
   const Result<Frame> frame = camera.next_frame(limits_.frame);
   if (!frame) return tl::make_unexpected(frame.error());
-  const Result<Picture> picture = picture_from(*frame);
+  const Forecast forecast = links_.forecast.get();
+  const Result<Picture> picture = picture_from(*frame, forecast);
   if (!picture) return tl::make_unexpected(picture.error());
   if (!plausible(*frame)) return failure(ErrorCode::kCorruptFrame, "time stamp does not fit the time of arrival");
   count_frame(*frame);
 
-  Observation observation = tasks_.detect(*picture, links_.forecast.get());
+  Observation observation = tasks_.detect(*picture, forecast);
   observation.side = side_;
   observation.frame = frame->sequence;
   observation.exposed = frame->exposed;
   observation.arrived = frame->arrived;
   observation.line_time = frame->line_time;
   if (camera.info().exposure > Duration{0}) observation.exposure = camera.info().exposure;
-  observation.health.identical = repeat_check_.repeats(*picture);
+  observation.coverage = picture->bands.empty() ? Coverage::kWholeFrame : Coverage::kRegions;
+  observation.health.identical = repeats(*frame, *picture);
+  sightings_ = with(sightings_, observation, forecast);
   return observation;
 }
 
-Result<Picture> CameraWorker::picture_from(const Frame& frame) {
-  if (frame.format == PixelFormat::kMjpeg) return decoder_.decode(frame.data, frame.size);
+bool CameraWorker::repeats(const Frame& frame, const Picture& picture) {
+  return frame.format == PixelFormat::kMjpeg ? repeat_check_.repeats(decoder_.coded(), picture.size)
+                                             : repeat_check_.repeats(picture);
+}
+
+/// What is in memory anyway is shown whole.
+Result<Picture> CameraWorker::picture_from(const Frame& frame, const Forecast& forecast) {
+  if (frame.format == PixelFormat::kMjpeg) {
+    const RowBands bands = chosen_bands(sightings_, forecast, {side_, frame.sequence, frame.exposed, frame.size});
+    return decoder_.decode(frame.data, frame.size, bands);
+  }
   if (!whole(frame)) return failure(ErrorCode::kCorruptFrame, "frame shorter than its size asks for");
   return picture_of(frame);
 }

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <string>
 
+#include "capture/band_choice.h"
 #include "capture/frame_rate.h"
 #include "capture/mjpeg_decoder.h"
 #include "capture/repeat_check.h"
@@ -43,7 +44,8 @@ struct CameraLimits {
 };
 
 using OpenCamera = std::function<Result<std::unique_ptr<Camera>>()>;
-/// Fills in points, coverage, health and forecast_used; side, frame and times are the worker's.
+/// Fills in points, health and forecast_used; side, frame, times and coverage are the worker's. It is asked picture by
+/// picture of one camera, and of MJPEG may get bands only.
 using DetectPoints = std::function<Observation(const Picture&, const Forecast&)>;
 /// Waits for the duration or until stop is requested, whichever comes first.
 using Pause = std::function<void(Duration, const std::stop_token&)>;
@@ -90,7 +92,8 @@ class CameraWorker {
   std::optional<Error> take(const Error& error);
   [[nodiscard]] bool may_still_start(const Error& error) const;
   Result<Observation> observe(Camera& camera);
-  Result<Picture> picture_from(const Frame& frame);
+  Result<Picture> picture_from(const Frame& frame, const Forecast& forecast);
+  bool repeats(const Frame& frame, const Picture& picture);
   void count_frame(const Frame& frame);
   void deliver(const Observation& observation);
   void report_loss(const Error& error);
@@ -102,6 +105,7 @@ class CameraWorker {
   const CameraLimits limits_;
   MjpegDecoder decoder_;
   RepeatCheck repeat_check_;
+  Sightings sightings_;  // since the camera was opened
   FrameRate rate_;
   CameraStatus status_;
   Connection connection_;

@@ -53,8 +53,15 @@ std::uint64_t hash_of(const Picture& picture) {
 
 }  // namespace
 
-bool RepeatCheck::repeats(const Picture& picture) {
-  const std::uint64_t hash = hash_of(picture);
+bool RepeatCheck::repeats(const Picture& picture) { return remember(hash_of(picture)); }
+
+bool RepeatCheck::repeats(std::span<const std::uint8_t> coded, ImageSize size) {
+  Hash hash;
+  hash.add(coded);
+  return remember(hash.value(size));
+}
+
+bool RepeatCheck::remember(std::uint64_t hash) {
   auto* const found = std::ranges::find(seen_, hash);
   const bool repeated = found != seen_.end();
   std::rotate(seen_.begin(), repeated ? found : seen_.end() - 1, repeated ? found + 1 : seen_.end());

@@ -61,6 +61,66 @@ TEST(CameraWorkerTest, MjpegIsDecodedForTheDetector) {
   EXPECT_NEAR(bench.luma_seen[0], 90, 1);
 }
 
+/// Frames 1 to 7 of flat grey, each another.
+WorkerBench tracking_bench() {
+  Script script;
+  for (std::uint32_t frame = 1; frame <= 7; ++frame) {
+    const auto flat = [frame](int, int) { return 100 + static_cast<int>(frame); };
+    constexpr ImageSize kSize{64, 480};
+    script.push_back(
+        ScriptedFrame{.sequence = frame, .mjpeg = test::jpeg_of({kSize, flat, flat, flat}, {}), .mjpeg_size = kSize});
+  }
+  return WorkerBench({script});
+}
+
+void forecast_spot(WorkerBench& bench, std::uint32_t frame) {
+  bench.spot = {30.0, 240.0};
+  Forecast forecast{.number = 9, .at = TimePoint{} + frame * test::kScriptedPeriod, .points = {}};
+  ForecastPoint point;
+  point.at = {bench.spot, bench.spot};
+  point.covariance_px2 = {Matrix2::Identity(), Matrix2::Identity()};
+  forecast.points.push_back(point);
+  bench.forecast.put(forecast);
+}
+
+TEST(CameraWorkerTest, MjpegIsDecodedAroundTheForecastBetweenWholePictures) {
+  WorkerBench bench = tracking_bench();
+  forecast_spot(bench, 4);
+  bench.run();
+  // The forecast is good within 70 ms of frame 4, frames 3 to 5; before frame 3 nothing was foreseen.
+  const std::vector<Coverage> expected{Coverage::kWholeFrame, Coverage::kWholeFrame, Coverage::kWholeFrame,
+                                       Coverage::kRegions,    Coverage::kRegions,    Coverage::kWholeFrame,
+                                       Coverage::kWholeFrame};
+  const std::vector<Observation> seen = bench.observations();
+  ASSERT_EQ(seen.size(), expected.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    EXPECT_EQ(seen[i].coverage, expected[i]) << i;
+    EXPECT_FALSE(seen[i].health.identical) << i;
+  }
+  // Pixel (0, 0) lies outside the band.
+  EXPECT_EQ(bench.luma_seen, (std::vector<int>{101, 102, 103, 103, 103, 106, 107}));
+}
+
+TEST(CameraWorkerTest, AJpegThatIsRepeatedIsNoticedWhateverIsDecoded) {
+  Script script;
+  for (std::uint32_t frame = 1; frame <= 5; ++frame) {
+    const auto flat = [frame](int, int) { return frame < 3 ? 100 + static_cast<int>(frame) : 150; };
+    constexpr ImageSize kSize{64, 480};
+    script.push_back(
+        ScriptedFrame{.sequence = frame, .mjpeg = test::jpeg_of({kSize, flat, flat, flat}, {}), .mjpeg_size = kSize});
+  }
+  WorkerBench bench({script});
+  forecast_spot(bench, 3);
+  bench.run();
+  const std::vector<Observation> seen = bench.observations();
+  ASSERT_EQ(seen.size(), 5U);
+  EXPECT_EQ(seen[2].coverage, Coverage::kRegions);
+  EXPECT_EQ(seen[4].coverage, Coverage::kWholeFrame);
+  EXPECT_FALSE(seen[2].health.identical);
+  EXPECT_TRUE(seen[3].health.identical);
+  EXPECT_TRUE(seen[4].health.identical);
+}
+
 TEST(CameraWorkerTest, MjpegOfAnotherSizeIsCorrupt) {
   WorkerBench bench({Script{ScriptedFrame{1, 0, test::jpeg_of(test::smooth_picture({32, 8}), {})}}});
   bench.run();

@@ -32,7 +32,7 @@ class ScriptedCamera final : public Camera {
     const TimePoint exposed = TimePoint{} + step.sequence * kScriptedPeriod;
     return {.side = Side::kLeft,
             .format = step.mjpeg.empty() ? PixelFormat::kYuyv : PixelFormat::kMjpeg,
-            .size = kScriptedSize,
+            .size = step.mjpeg.empty() ? kScriptedSize : step.mjpeg_size,
             .stride_bytes = step.mjpeg.empty() ? kStride_bytes : 0,
             .data = buffer_,
             .sequence = step.sequence,
@@ -88,7 +88,7 @@ Observation WorkerBench::detect(const Picture& picture, const Forecast& known) {
   Observation observation;
   observation.forecast_used = known.number;
   ImagePoint point;
-  point.at = {3.5, 4.5};
+  point.at = spot;
   observation.points.push_back(point);
   return observation;
 }

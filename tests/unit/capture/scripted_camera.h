@@ -11,12 +11,13 @@
 
 namespace tripoint::test {
 
-/// A frame with this sequence number and this value in every byte; MJPEG data instead when not empty.
+/// A frame with this sequence number and this value in every byte; MJPEG data of a size instead when not empty.
 struct ScriptedFrame {
   std::uint32_t sequence = 0;
   std::uint8_t value = 0;
   std::vector<std::uint8_t> mjpeg = {};
   std::size_t missing_bytes = 0;
+  ImageSize mjpeg_size = {16, 8};
 };
 using Step = std::variant<ScriptedFrame, Error>;
 using Script = std::vector<Step>;
@@ -54,6 +55,7 @@ class WorkerBench {
   Latest<Forecast> forecast;
   std::vector<std::uint64_t> forecasts_seen;
   std::vector<int> luma_seen;  ///< of pixel (0, 0), by the detector
+  RawPixel spot{3.5, 4.5};     ///< that the detector finds in every picture
 
  private:
   Result<std::unique_ptr<Camera>> open();
