@@ -55,7 +55,8 @@ Layout layout_of(const jpeg_decompress_struct& header) {
   layout.size = {static_cast<int>(header.image_width), static_cast<int>(header.image_height)};
   layout.components = static_cast<std::size_t>(header.num_components);
   layout.unit_height_px = header.max_v_samp_factor * DCTSIZE;
-  layout.rows_of_units = static_cast<std::size_t>((layout.size.height_px - 1) / layout.unit_height_px + 1);
+  layout.rows_of_units =
+      static_cast<std::size_t>(layout.size.height_px - 1) / static_cast<std::size_t>(layout.unit_height_px) + 1;
   for (std::size_t c = 0; c < layout.components; ++c) {
     const jpeg_component_info& component = header.comp_info[c];
     const auto per_unit = static_cast<std::size_t>(component.h_samp_factor) * DCTSIZE;
