@@ -61,16 +61,16 @@ TEST(CameraWorkerTest, MjpegIsDecodedForTheDetector) {
   EXPECT_NEAR(bench.luma_seen[0], 90, 1);
 }
 
-/// Frames 1 to 7 of flat grey, each another.
-WorkerBench tracking_bench() {
+/// Frames of flat grey, each another.
+Script grey_jpegs(std::uint32_t first, std::uint32_t last) {
   Script script;
-  for (std::uint32_t frame = 1; frame <= 7; ++frame) {
+  for (std::uint32_t frame = first; frame <= last; ++frame) {
     const auto flat = [frame](int, int) { return 100 + static_cast<int>(frame); };
     constexpr ImageSize kSize{64, 480};
     script.push_back(
         ScriptedFrame{.sequence = frame, .mjpeg = test::jpeg_of({kSize, flat, flat, flat}, {}), .mjpeg_size = kSize});
   }
-  return WorkerBench({script});
+  return script;
 }
 
 void forecast_spot(WorkerBench& bench, std::uint32_t frame) {
@@ -84,7 +84,7 @@ void forecast_spot(WorkerBench& bench, std::uint32_t frame) {
 }
 
 TEST(CameraWorkerTest, MjpegIsDecodedAroundTheForecastBetweenWholePictures) {
-  WorkerBench bench = tracking_bench();
+  WorkerBench bench({grey_jpegs(1, 7)});
   forecast_spot(bench, 4);
   bench.run();
   // The forecast is good within 70 ms of frame 4, frames 3 to 5; before frame 3 nothing was foreseen.
@@ -99,6 +99,16 @@ TEST(CameraWorkerTest, MjpegIsDecodedAroundTheForecastBetweenWholePictures) {
   }
   // Pixel (0, 0) lies outside the band.
   EXPECT_EQ(bench.luma_seen, (std::vector<int>{101, 102, 103, 103, 103, 106, 107}));
+}
+
+TEST(CameraWorkerTest, ACameraThatWasOpenedAnewIsSeenWholeFirst) {
+  WorkerBench bench({grey_jpegs(1, 3), grey_jpegs(4, 4)});
+  forecast_spot(bench, 3);
+  bench.run();
+  const std::vector<Observation> seen = bench.observations();
+  ASSERT_EQ(seen.size(), 4U);
+  EXPECT_EQ(seen[2].coverage, Coverage::kRegions);
+  EXPECT_EQ(seen[3].coverage, Coverage::kWholeFrame);
 }
 
 TEST(CameraWorkerTest, AJpegThatIsRepeatedIsNoticedWhateverIsDecoded) {
