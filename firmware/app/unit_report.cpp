@@ -3,12 +3,30 @@
 #include <algorithm>
 #include <limits>
 
+#include "line/detect/exposure_margin.h"
+
 namespace tripoint {
 namespace {
 
 template <typename Unsigned>
 Unsigned clipped(std::uint64_t value) {
   return static_cast<Unsigned>(std::min<std::uint64_t>(value, std::numeric_limits<Unsigned>::max()));
+}
+
+/// Of the target's points; of everything found as long as none is identified.
+std::optional<ExposureMargin> margin_of(const Measurement& measurement, Side side) {
+  std::optional<double> dimmest_luma;
+  double brightest_luma = 0.0;
+  for (const MeasuredPoint& point : measurement.points) {
+    if (point.id == 0) continue;
+    const double luma = point.peak_luma[side];
+    dimmest_luma = std::min(dimmest_luma.value_or(luma), luma);
+    brightest_luma = std::max(brightest_luma, luma);
+  }
+  if (dimmest_luma) return exposure_margin(*dimmest_luma, brightest_luma);
+  const ImageHealth& health = measurement.health[side];
+  if (measurement.spots[side] == 0 || health.peak_luma <= 0.0) return std::nullopt;
+  return exposure_margin(health.dimmest_luma, health.peak_luma);
 }
 
 double microseconds(Duration duration) { return std::chrono::duration<double, std::micro>(duration).count(); }
@@ -85,6 +103,10 @@ CameraStats UnitReport::stats(Side side, const CameraStatus& camera) const {
     stats.spot_peak = health.peak_luma;
     stats.image_mean = health.mean_luma;
     stats.focus_per_px = health.focus;
+    if (const auto margin = margin_of(newest_->measurement, side)) {
+      stats.above_dim = margin->above_dim;
+      stats.below_clipping = margin->below_clipping;
+    }
   }
   return stats;
 }

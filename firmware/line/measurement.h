@@ -83,6 +83,7 @@ struct MeasuredPoint {
   Matrix3 covariance_mm2 = Matrix3::Zero();  ///< noise and shared part together
   double residual_px = 0.0;                  ///< RMS of both pictures' reprojection errors
   PerSide<RawPixel> at;
+  PerSide<double> peak_luma{0.0, 0.0};
   bool saturated = false;
   bool weak = false;
 };

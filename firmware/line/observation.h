@@ -42,6 +42,7 @@ inline constexpr std::uint32_t kFramesPerWhole = 5;
 struct ImageHealth {
   double mean_luma = 0.0;       ///< of a sparse sample of the last picture seen whole
   double peak_luma = 0.0;       ///< of the brightest spot
+  double dimmest_luma = 0.0;    ///< the same of the dimmest spot; both are 0 without any
   double focus = 0.0;           ///< 1 / fitted sigma of the sharpest spot, 1/px
   bool candidates_cut = false;  ///< more candidates than the cap: not everything was looked at
   bool identical = false;       ///< bit-identical to an earlier picture: the camera repeats itself

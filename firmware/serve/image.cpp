@@ -99,6 +99,8 @@ void put_camera(RegisterImage& image, const CameraStats& stats, std::size_t shif
   image.put(kImageMean, stats.image_mean, shift);
   image.put(kFocus, stats.focus_per_px, shift);
   image.put(kResets, stats.resets, shift);
+  image.put(kAboveDim, stats.above_dim, shift);
+  image.put(kBelowClipping, stats.below_clipping, shift);
 }
 
 void put_timing(RegisterImage& image, const UnitState& state) {

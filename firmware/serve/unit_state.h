@@ -58,6 +58,8 @@ struct CameraStats {
   std::optional<double> spot_peak;   ///< luma steps
   std::optional<double> image_mean;  ///< luma steps
   std::optional<double> focus_per_px;
+  std::optional<double> above_dim;  ///< factors of light, 1 = at the limit: ExposureMargin
+  std::optional<double> below_clipping;
   std::uint16_t resets = 0;
 };
 

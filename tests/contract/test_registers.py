@@ -108,7 +108,9 @@ ANCHORS = [
     (258, "f32", "predicted.extrapolated"), (297, "u16", "predicted.sequence_end"), (304, "i16", "single.x"),
     (313, "u16", "single.age"), (408, "u32", "latched.age"), (452, "i16", "latched_single.x"),
     (463, "u16", "latched_single.sequence_end"), (501, "u16", "points.count"), (502, "i32", "points.x"),
-    (622, "u16", "points.sequence_end"), (705, "i16", "left_camera.temperature"), (722, "u32", "right_camera.dropped"),
+    (622, "u16", "points.sequence_end"), (705, "i16", "left_camera.temperature"),
+    (714, "u16", "left_camera.below_clipping"),
+    (722, "u32", "right_camera.dropped"), (729, "u16", "right_camera.above_dim"),
     (732, "i32", "timing.skew"), (743, "i16", "timing.side_length_error"), (746, "u16", "timing.load"),
     (1000, "u16", "command.word"),
 ]  # fmt: skip

@@ -39,7 +39,7 @@ class Image:
 def measuring_image(sequence: int = 70000, status: int = 0x0647) -> Image:
     """A simulated unit that measures (-12.345, 6.789, 400.001) mm; a position without orientation."""
     image = Image()
-    image.put(0, "H", 0x5450, 1, 0, IMAGE_LENGTH)
+    image.put(0, "H", 0x5450, 1, 1, IMAGE_LENGTH)
     image.put(4, "I", 0x01020304)
     image.put(6, "f", 123456.0)
     image.put(8, "I", 4711)
@@ -85,7 +85,7 @@ def _put_health(image: Image) -> None:
         image.put(start + 2, "I", 1000)
         image.put(start + 4, "H", 0xFFFF, temperature)
         image.put(start + 6, "I", 7)
-        image.put(start + 8, "H", 1, 201, 14, 350, 2)
+        image.put(start + 8, "H", 1, 201, 14, 350, 2, 210, 1180)
     image.put(732, "i", -1500)
     image.put(734, "I", 200, 375, 350, 980)
     image.put(742, "H", 42)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from host_tool.contract.blocks import Answer, Pose, State
+from host_tool.contract.blocks import Answer, Camera, Health, Pose, State, Timing
 from host_tool.contract.conditions import Status
 
 POSE = Pose(
@@ -23,6 +23,9 @@ POSE = Pose(
     setup=1,
 )
 STATE = State(heartbeat=1, status=POSE.status, faults=0, warnings=0, state="measuring", clients=1, uptime_s=1)
+
+CAMERA = Camera("delivering", 30.0, 2000.0, None, None, 0, 1, 98.0, 20.0, None, 0, 2.1, 11.8)
+HEALTH = Health(CAMERA, CAMERA, Timing(None, None, None, None, None, None, None, None, None, None))
 
 
 def answer(pose: Pose = POSE) -> Answer:
@@ -50,6 +53,9 @@ class StagedUnit:
 
     def read_pose(self) -> Answer:
         return self._answers.pop(0) if len(self._answers) > 1 else self._answers[0]
+
+    def read_health(self) -> Health:
+        return HEALTH
 
 
 def poses_numbered(*sequences: int) -> list[Pose]:

@@ -48,6 +48,7 @@ def test_status_names_unit_state_and_remedies(unit: FakeUnit, capsys: Capture) -
         "p99 980 us",
         "43981 (0xABCD), register 146",
         "3405643777 (0xCAFE0001)",
+        "LED 2.1x above dim, 12x below clipping\n",
     ):
         assert text in out
     assert "refused clients: check the limits and the allow-list in [modbus]" in out
@@ -58,6 +59,7 @@ def test_status_speaks_json(unit: FakeUnit, capsys: Capture) -> None:
     assert record["pose"]["position_mm"] == [-12.345, 6.789, 400.001]
     assert record["warnings"][0]["name"] == "refused_clients"
     assert record["cameras"]["right"]["temperature_c"] == 41.5
+    assert record["cameras"]["left"]["below_clipping"] == 11.8
 
 
 def test_watch_prints_a_line_for_each_verdict(unit: FakeUnit, capsys: Capture) -> None:
@@ -81,6 +83,11 @@ def test_watch_compares_with_a_truth_file(unit: FakeUnit, capsys: Capture, tmp_p
 def test_watch_knows_the_truth_of_a_scenario_at_the_time_of_exposure(unit: FakeUnit, capsys: Capture) -> None:
     record = json_of(capsys, "watch", "--count", "1", "--truth", "paper-circular", "--device", unit.device)
     assert record["truth_mm"] == pytest.approx(list(SCENARIOS["paper-circular"].position_at_utc_mm(UTC_NS)))
+
+
+def test_watch_tells_the_margin_of_the_exposure(unit: FakeUnit, capsys: Capture) -> None:
+    record = json_of(capsys, "watch", "--count", "1", "--device", unit.device)
+    assert record["exposure"]["right"] == {"above_dim": 2.1, "below_clipping": 11.8}
 
 
 def test_watch_refuses_to_compare_real_cameras_with_a_scenario(capsys: Capture, tmp_path: Path) -> None:

@@ -131,7 +131,16 @@ def test_cameras_and_timing_are_read(order: WordOrder) -> None:
     assert (health.left.temperature_c, health.right.temperature_c) == (None, 41.5)
     assert (health.left.rate_hz, health.left.exposure_us, health.left.dropped_frames) == (29.97, 1000, 7)
     assert (health.timing.skew_us, health.timing.skew_cost_mm, health.timing.latency_p99_us) == (-1500, 0.375, 980)
+    assert (health.right.above_dim, health.right.below_clipping) == (2.1, 11.8)
     assert (health.timing.side_length_error_mm, health.timing.decalibration_mm) == (-0.005, None)
+
+
+@pytest.mark.parametrize("raw", [0, 0xFFFF])  # a unit with map 1.0 leaves the registers at 0; no spot
+def test_an_unknown_margin_of_the_exposure_is_none(raw: int) -> None:
+    image = measuring_image()
+    image.put(713, "H", raw, raw)
+    health = decode.health_of(*(words_at(image, name) for name in ("left_camera", "right_camera", "timing")))
+    assert (health.left.above_dim, health.left.below_clipping) == (None, None)
 
 
 @given(st.lists(st.integers(0, 0xFFFF), min_size=48, max_size=48), st.sampled_from(WordOrder))

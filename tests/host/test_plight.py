@@ -9,7 +9,7 @@ from host_tool.cli.plight import doing
 from host_tool.contract.blocks import Camera, Health, Timing
 from host_tool.contract.register_map import register_map
 
-CAMERA = Camera("delivering", 30.0, 2000.0, None, None, 0, 0, None, 20.0, None, 0)
+CAMERA = Camera("delivering", 30.0, 2000.0, None, None, 0, 0, None, 20.0, None, 0, None, None)
 HEALTH = Health(CAMERA, CAMERA, Timing(None, None, None, None, None, None, None, None, None, None))
 LEFT, RIGHT, VOLUME = 1 << 3, 1 << 4, 1 << 8
 

@@ -4,7 +4,7 @@ import io
 from dataclasses import replace
 
 import pytest
-from host.staged import POSE, answer
+from host.staged import HEALTH, POSE, answer
 from rich.console import Console
 
 from host_tool.cli.views import BARS, JsonLines, Picture, PlainLines, picture_of, sparkline, view_for
@@ -25,6 +25,7 @@ def scene(pose: Pose = POSE, at_s: float = 0.0, fresh: bool = True) -> Scene:
         26.2,
         None if pose.position_valid else 3.2,
         Tally().summary(),
+        HEALTH,
     )
 
 
@@ -44,6 +45,12 @@ def test_the_picture_says_why_there_is_no_position() -> None:
     text = drawn(scene(replace(POSE, status=0, faults=1 << 8)))
     assert "no valid position for 3.2 s" in text
     assert "fault: outside the working volume: move the target in, or check [volume]" in text
+
+
+def test_the_picture_shows_the_margin_of_the_exposure() -> None:
+    text = drawn(scene())
+    for side in ("left", "right"):
+        assert f"{side}: LED 2.1x above dim, 12x below clipping" in text
 
 
 def test_a_long_remedy_is_not_cut_off() -> None:

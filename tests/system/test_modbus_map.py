@@ -32,7 +32,7 @@ def read(client: ModbusTcpClient, table: str, address: int, count: int) -> Modbu
 
 @pytest.mark.parametrize("table", ["input", "holding"])
 def test_both_tables_name_a_tripoint_of_map_1(client: ModbusTcpClient, table: str) -> None:
-    assert read(client, table, 0, 4).registers == [0x5450, 1, 0, 1000]
+    assert read(client, table, 0, 4).registers == [0x5450, 1, 1, 1000]
 
 
 @pytest.mark.parametrize("table", ["input", "holding"])
@@ -56,7 +56,7 @@ def test_the_device_identification_names_vendor_product_and_map(client: ModbusTc
     assert set(basic) == {0, 1, 2}
     assert all(basic.values())
     extended = client.read_device_information(read_code=4, object_id=0x80, device_id=UNIT_ID)
-    assert extended.information[0x80] == b"1.0"  # type: ignore[attr-defined]
+    assert extended.information[0x80] == b"1.1"  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(("address", "count"), [(999, 2), (1000, 2), (1001, 1), (1999, 1), (2999, 2), (3000, 1)])

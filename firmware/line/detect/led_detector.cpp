@@ -91,6 +91,7 @@ DropCause LedDetector::make_room(const Candidate& candidate, const ImagePoint& p
     health.candidates_cut = true;
     return DropCause::kNoRoom;
   }
+  health.dimmest_luma = detection_.points.size() == 1 ? point.peak : std::min(health.dimmest_luma, point.peak);
   health.peak_luma = std::max(health.peak_luma, point.peak);
   health.focus = std::max(health.focus, 1.0 / point.sigma_px);
   return DropCause::kKept;

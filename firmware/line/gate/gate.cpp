@@ -35,10 +35,13 @@ bool is_whole(const TargetPose& pose) {
 
 bool is_whole(const MeasuredPoint& point) {
   return point.in_output_mm.allFinite() && point.covariance_mm2.allFinite() && std::isfinite(point.residual_px) &&
-         std::isfinite(point.at.left.u_px + point.at.left.v_px + point.at.right.u_px + point.at.right.v_px);
+         std::isfinite(point.at.left.u_px + point.at.left.v_px + point.at.right.u_px + point.at.right.v_px) &&
+         std::isfinite(point.peak_luma.left + point.peak_luma.right);
 }
 
-bool is_whole(const ImageHealth& health) { return std::isfinite(health.mean_luma + health.peak_luma + health.focus); }
+bool is_whole(const ImageHealth& health) {
+  return std::isfinite(health.mean_luma + health.peak_luma + health.dimmest_luma + health.focus);
+}
 
 bool is_whole(const Aligned& seen, const Fit& fit) {
   const auto whole = [](const MeasuredPoint& point) { return is_whole(point); };

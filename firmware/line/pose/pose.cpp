@@ -63,6 +63,7 @@ MeasuredPoint measured_point(const Pair& pair, const Located& at, const LineMode
   point.covariance_mm2 = rotation * (at.point.covariance_mm2 + at.shared_mm2) * rotation.transpose();
   point.residual_px = std::sqrt(residual_square_px2(at.point));
   point.at = {pair.points.left.seen.at, pair.points.right.seen.at};
+  point.peak_luma = {pair.points.left.seen.peak, pair.points.right.seen.peak};
   point.saturated = pair.points.left.seen.saturated || pair.points.right.seen.saturated;
   point.weak = pair.points.left.seen.weak || pair.points.right.seen.weak;
   return point;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "line/detect/exposure_margin.h"
+
 namespace tripoint {
 namespace {
 
@@ -125,6 +127,52 @@ TEST(UnitReportTest, LatencyRunsFromTheArrivalOfThePicture) {
   clock.set(arrived + std::chrono::microseconds(250));
   report.take(with_pose(), arrived, clock);
   EXPECT_EQ(report.state({delivering(), delivering()}, clock).health.latency_p50_us, 250.0);
+}
+
+/// Lumas of the LED just clipping red (1), and of 3 and 10 times that; a lamp beside the target is brighter.
+Measurement with_spots() {
+  Measurement measurement;
+  measurement.spots = {2, 2};
+  for (const Side side : kBothSides) {
+    measurement.health[side].dimmest_luma = luma_from_led_peak(1.0);
+    measurement.health[side].peak_luma = luma_from_led_peak(10.0);
+  }
+  return measurement;
+}
+
+MeasuredPoint point(int id, double left_peak, double right_peak) {
+  MeasuredPoint point;
+  point.id = id;
+  point.peak_luma = {luma_from_led_peak(left_peak), luma_from_led_peak(right_peak)};
+  return point;
+}
+
+TEST(UnitReportTest, TheMarginOfTheExposureIsThatOfTheTargetsPoints) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  Measurement measurement = with_spots();
+  measurement.points.push_back(point(1, 1.0, 3.0));
+  measurement.points.push_back(point(2, 2.0, 6.0));
+  report.take(measurement, std::nullopt, clock);
+  const UnitState state = report.state({delivering(), delivering()}, clock);
+  EXPECT_NEAR(state.cameras.left.above_dim.value(), 1.0 / 0.5, 1e-9);
+  EXPECT_NEAR(state.cameras.left.below_clipping.value(), 30.0 / 2.0, 1e-9);
+  EXPECT_NEAR(state.cameras.right.above_dim.value(), 3.0 / 0.5, 1e-9);
+  EXPECT_NEAR(state.cameras.right.below_clipping.value(), 30.0 / 6.0, 1e-9);
+}
+
+TEST(UnitReportTest, WithoutATargetTheMarginIsThatOfEverySpotAndWithoutSpotsUnknown) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  Measurement measurement = with_spots();
+  measurement.points.push_back(point(0, 2.0, 2.0));
+  report.take(measurement, std::nullopt, clock);
+  const CameraStats seen = report.state({delivering(), delivering()}, clock).cameras.left;
+  EXPECT_NEAR(seen.above_dim.value(), 1.0 / 0.5, 1e-9);
+  EXPECT_NEAR(seen.below_clipping.value(), 3.0, 1e-9);
+  EXPECT_FALSE(report.state({lost(), delivering()}, clock).cameras.left.above_dim);
+  report.take(Measurement{}, std::nullopt, clock);
+  EXPECT_FALSE(report.state({delivering(), delivering()}, clock).cameras.left.above_dim);
 }
 
 TEST(UnitReportTest, ACameraBoundByItsPortIsWarnedAbout) {

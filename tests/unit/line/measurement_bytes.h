@@ -39,7 +39,8 @@ inline std::string bytes_of(const Measurement& m) {
         << m.timing.speed_mm_per_s << m.timing.settled << m.points.size();
   for (const MeasuredPoint& point : m.points) {
     bytes << point.id << point.in_output_mm << point.covariance_mm2 << point.residual_px << point.at.left.u_px
-          << point.at.left.v_px << point.at.right.u_px << point.at.right.v_px << point.saturated << point.weak;
+          << point.at.left.v_px << point.at.right.u_px << point.at.right.v_px << point.peak_luma.left
+          << point.peak_luma.right << point.saturated << point.weak;
   }
   bytes << m.pose.has_value();
   if (m.pose) {
@@ -48,7 +49,8 @@ inline std::string bytes_of(const Measurement& m) {
   bytes << m.residual_rms_px << m.epipolar_rms_px << m.spots.left << m.spots.right;
   for (const Side side : kBothSides) {
     const ImageHealth& health = m.health[side];
-    bytes << health.mean_luma << health.peak_luma << health.focus << health.candidates_cut << health.identical;
+    bytes << health.mean_luma << health.peak_luma << health.dimmest_luma << health.focus << health.candidates_cut
+          << health.identical;
   }
   return bytes.text();
 }

@@ -73,7 +73,7 @@ TEST(PointsTest, StandTenRegistersApart) {
 TEST(CamerasTest, StandSixteenRegistersApart) {
   UnitState state = unit_state();
   state.cameras.left = {
-      registers::CameraState::kDelivering, 29.97, 10'000.0, 16.0, -5.5, 70'001, 3, 250.0, 12.4, 0.77, 2};
+      registers::CameraState::kDelivering, 29.97, 10'000.0, 16.0, -5.5, 70'001, 3, 250.0, 12.4, 0.77, 2.1, 11.8, 2};
   state.cameras.right.frames_per_second = 700.0;
   const RegisterImage image = image_of(state);
   EXPECT_EQ(image[700], 2);
@@ -87,10 +87,15 @@ TEST(CamerasTest, StandSixteenRegistersApart) {
   EXPECT_EQ(image[710], 12);
   EXPECT_EQ(image[711], 770);
   EXPECT_EQ(image[712], 2);
+  EXPECT_EQ(image[713], 210);
+  EXPECT_EQ(image[714], 1180);
+  EXPECT_EQ(image[715], 0);
   EXPECT_EQ(image[717], 0xFFFF);  // faster than the register can tell: that or more
   EXPECT_EQ(u32_at(image, 718), 0xFFFFFFFFU);
   EXPECT_EQ(image[720], 0xFFFF);
   EXPECT_EQ(image[721], 0x8000);
+  EXPECT_EQ(image[729], 0xFFFF);
+  EXPECT_EQ(image[730], 0xFFFF);
 }
 
 TEST(TimingTest, StandsBehindTheCameras) {

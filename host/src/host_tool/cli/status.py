@@ -5,6 +5,7 @@ from typing import Any
 import click
 
 from host_tool.appliance.unit import open_unit
+from host_tool.cli.exposure import margin_of
 from host_tool.cli.options import Common, common_options
 from host_tool.cli.output import identification, number, print_json
 from host_tool.cli.plight import doing
@@ -71,7 +72,13 @@ def _state_rows(answer: Answer, health: Health) -> list[tuple[str, str]]:
 
 
 def _health_rows(health: Health) -> list[tuple[str, str]]:
-    return [("left", _camera(health.left)), ("right", _camera(health.right)), *_timing_rows(health.timing)]
+    return [
+        ("left", _camera(health.left)),
+        ("", margin_of(health.left)),
+        ("right", _camera(health.right)),
+        ("", margin_of(health.right)),
+        *_timing_rows(health.timing),
+    ]
 
 
 def _camera(camera: Camera) -> str:

@@ -13,6 +13,7 @@ from rich.panel import Panel
 from rich.table import Table
 from rich.text import Text
 
+from host_tool.cli.exposure import margins_of
 from host_tool.cli.output import is_live, number, print_json
 from host_tool.cli.wording import age_of, conditions_of, line_of, position_of, record_of, time_of
 from host_tool.contract.blocks import Identity, Pose
@@ -129,6 +130,7 @@ def _figures(scene: Scene) -> str:
         f"exposed {time_of(pose.exposed_utc_ns)} UTC   age {age_of(pose)}   "
         f"speed {number(scene.speed_mm_per_s, 0, 'mm/s')}   #{pose.sequence}",
         _counted(scene.summary),
+        *margins_of(scene.health),
     ]
     if not scene.sighting.fresh:
         lines.append("NOTHING NEW: the unit has stopped bringing verdicts")

@@ -87,4 +87,8 @@ def record_of(scene: Scene) -> dict[str, Any]:
         "truth_mm": None if comparison is None else comparison.truth_mm,
         "error_mm": None if comparison is None else comparison.error_mm,
         "inside": None if comparison is None else comparison.inside,
+        "exposure": {
+            side: {"above_dim": camera.above_dim, "below_clipping": camera.below_clipping}
+            for side, camera in (("left", scene.health.left), ("right", scene.health.right))
+        },
     }

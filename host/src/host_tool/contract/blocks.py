@@ -100,6 +100,8 @@ class Camera:
     image_mean: float | None
     focus_per_px: float | None
     resets: int
+    above_dim: float | None  # factors of light, 1 = at the limit; None without a spot, or from a unit with map 1.0
+    below_clipping: float | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -182,6 +182,8 @@ def _camera(words: BlockWords) -> Camera:
         image_mean=words.number("image_mean"),
         focus_per_px=words.number("focus"),
         resets=words.integer("resets"),
+        above_dim=words.number("above_dim") or None,  # 0: a unit with map 1.0, which does not tell
+        below_clipping=words.number("below_clipping") or None,
     )
 
 

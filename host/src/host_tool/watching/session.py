@@ -2,13 +2,23 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Protocol
 
 from host_tool.clock import Clock
+from host_tool.contract.blocks import Health
 from host_tool.trajectories.paths import Path
 from host_tool.watching.follow import Sighting, Source, follow
 from host_tool.watching.speed import Speedometer
 from host_tool.watching.tally import Summary, Tally
 from host_tool.watching.truth import Comparison, compared
+
+HEALTH_S = 0.5  # cameras and timing are asked for this often: they change slowly
+
+
+class Unit(Source, Protocol):
+    """What can be followed with the health of its cameras."""
+
+    def read_health(self) -> Health: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,12 +39,14 @@ class Scene:
     speed_mm_per_s: float | None
     without_s: float | None  # how long this following has seen no valid position; None while there is one
     summary: Summary  # from the end of settling on
+    health: Health  # at most HEALTH_S old
 
 
-def scenes(source: Source, clock: Clock, course: Course) -> Iterator[Scene]:
+def scenes(source: Unit, clock: Clock, course: Course) -> Iterator[Scene]:
     """Follows to the end of the course."""
     tally, speedometer, start_s = Tally(), Speedometer(), clock.now_s()
     lost_s: float | None = None
+    health, asked_s = source.read_health(), start_s
     for sighting in follow(source, clock, course.seconds):
         pose = sighting.answer.pose
         comparison = None if course.truth is None else compared(pose, course.truth)
@@ -45,4 +57,6 @@ def scenes(source: Source, clock: Clock, course: Course) -> Iterator[Scene]:
         elif lost_s is None:
             lost_s = sighting.at_s
         without_s = None if lost_s is None else sighting.at_s - lost_s
-        yield Scene(sighting, comparison, speedometer.take(pose), without_s, tally.summary())
+        if sighting.at_s - asked_s >= HEALTH_S:
+            health, asked_s = source.read_health(), sighting.at_s
+        yield Scene(sighting, comparison, speedometer.take(pose), without_s, tally.summary(), health)
