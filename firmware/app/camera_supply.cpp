@@ -1,5 +1,6 @@
 #include "app/camera_supply.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -40,6 +41,19 @@ Trajectory trajectory_of(Scenario scenario) {
   return paper_circular();
 }
 
+constexpr double kUsualExposure_us = 2000.0;  ///< for which the scene's levels hold
+constexpr double kGainSteps = 64.0;           ///< of cameras.gain, that double the light
+
+/// Light is proportional to the exposure; a gain lifts the noise as well.
+void expose(SimulationSettings& settings, const CamerasConfig& cameras) {
+  const double gain = 1.0 + cameras.gain / kGainSteps;
+  const double light = gain * static_cast<double>(cameras.exposure.count()) / kUsualExposure_us;
+  for (LightSource& source : settings.scene.lights) source.peak *= light;
+  settings.scene.white_level *= light;
+  settings.sensor.read_noise = std::min(1.0, gain * settings.sensor.read_noise);
+  settings.sensor.full_well_electrons = std::max(1.0, settings.sensor.full_well_electrons / gain);
+}
+
 Result<SimulationSettings> simulation_settings(const Config& config) {
   const SimulationConfig& wanted = config.simulation;
   const Result<Trajectory> trajectory = wanted.trajectory_file.empty()
@@ -60,22 +74,23 @@ Result<SimulationSettings> simulation_settings(const Config& config) {
   settings.clocks.right.phase = duration_from_seconds(wanted.right_phase_ms * 1e-3);
   settings.clocks.right.drift_ppm = -wanted.clock_drift_ppm / 2.0;
   settings.seed = wanted.seed;
+  settings.scene = led_scene({Vec3::Zero()}, wanted.led_peak);
+  settings.scene.white_level = wanted.white_level;
+  expose(settings, config.cameras);
   return settings;
 }
 
-Result<PerSide<OpenCamera>> simulated_cameras(const Config& config, const Clock& clock) {
-  return simulation_settings(config)
-      .and_then([&](const SimulationSettings& settings) { return SimulatedWorld::create(settings, clock.now()); })
-      .map([&](SimulatedWorld&& made) {
-        // shared: both cameras look at one world, for as long as either may be opened anew
-        const auto world = std::make_shared<const SimulatedWorld>(std::move(made));
-        const auto open = [world, &clock](Side side) -> OpenCamera {
-          return [world, &clock, side]() -> Result<std::unique_ptr<Camera>> {
-            return SimulatedCamera::open(*world, side, clock, sleeping_by(clock));
-          };
-        };
-        return PerSide<OpenCamera>{open(Side::kLeft), open(Side::kRight)};
-      });
+Result<PerSide<OpenCamera>> simulated_cameras(const SimulationSettings& settings, const Clock& clock) {
+  return SimulatedWorld::create(settings, clock.now()).map([&](SimulatedWorld&& made) {
+    // shared: both cameras look at one world, for as long as either may be opened anew
+    const auto world = std::make_shared<const SimulatedWorld>(std::move(made));
+    const auto open = [world, &clock](Side side) -> OpenCamera {
+      return [world, &clock, side]() -> Result<std::unique_ptr<Camera>> {
+        return SimulatedCamera::open(*world, side, clock, sleeping_by(clock));
+      };
+    };
+    return PerSide<OpenCamera>{open(Side::kLeft), open(Side::kRight)};
+  });
 }
 
 Result<PerSide<OpenCamera>> recorded_cameras(const Config& config, const Clock& clock) {
@@ -126,13 +141,26 @@ PerSide<OpenCamera> real_cameras(const Config& config, const Clock& clock) {
 Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock) {
   switch (config.cameras.source) {
     case CameraSource::kSimulation:
-      return simulated_cameras(config, clock);
+      return simulation_settings(config).and_then(
+          [&](const SimulationSettings& settings) { return simulated_cameras(settings, clock); });
     case CameraSource::kRecording:
       return recorded_cameras(config, clock);
     case CameraSource::kV4l2:
       break;
   }
   return real_cameras(config, clock);
+}
+
+Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,
+                                                      const Vec3& place_in_reference_mm) {
+  return simulation_settings(config).and_then([&](SimulationSettings settings) {
+    settings.trajectory.reference_from_target = [place_in_reference_mm](double /*second*/) {
+      Isometry3 pose = Isometry3::Identity();
+      pose.translation() = place_in_reference_mm;
+      return pose;
+    };
+    return simulated_cameras(settings, clock);
+  });
 }
 
 }  // namespace tripoint

@@ -16,6 +16,12 @@ namespace tripoint {
 ///   here: its worker keeps trying
 Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock);
 
+/// Simulated cameras that see the target held still at this place of the reference frame.
+///
+/// @param clock must outlive the cameras
+Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,
+                                                      const Vec3& place_in_reference_mm);
+
 /// True when nothing real is measured.
 constexpr bool is_simulated(CameraSource source) { return source != CameraSource::kV4l2; }
 

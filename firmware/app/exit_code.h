@@ -7,6 +7,7 @@ namespace tripoint {
 
 enum class ExitCode : int {
   kWell = 0,
+  kNo = 1,             ///< looked at what it was asked to, and the verdict is no
   kUsage = 2,          ///< usage, configuration, a port in use, or an output that cannot be written
   kDeviceMissing = 3,  ///< never from `run`, which waits for it
   kOurFault = 70,

@@ -10,6 +10,7 @@
 #include "app/cameras_command.h"
 #include "app/detect_command.h"
 #include "app/exit_code.h"
+#include "app/expose_command.h"
 #include "app/replay_command.h"
 #include "app/run_command.h"
 #include "app/version.h"
@@ -33,11 +34,13 @@ struct Arguments {
   std::string detector = "led";
   bool json = false;
   ReplayOptions replay;
+  ExposeOptions expose;
 };
 
 constexpr const char* kExitCodes =
-    "Exit codes: 0 well; 2 usage, configuration, an unreadable file, a port in use or an output that cannot be\n"
-    "written; 3 a device is missing (never from run, which waits); 70 our fault. Messages go to stderr.\n\n"
+    "Exit codes: 0 well; 1 no exposure suits (expose); 2 usage, configuration, an unreadable file, a port in use or\n"
+    "an output that cannot be written; 3 a device is missing (never from run, which waits) or in use; 70 our fault.\n"
+    "Messages go to stderr.\n\n"
     "Example: tripointd run --config unit.toml";
 
 void add_configuration(CLI::App& command, Arguments& arguments, const std::string& name) {
@@ -68,6 +71,18 @@ void describe_running(CLI::App& app, Arguments& arguments) {
   cameras->footer(
       "The configuration binds left and right by port or serial. Exit code 3: there is none.\n\n"
       "Example: tripointd cameras --json");
+}
+
+void describe_exposing(CLI::App& app, Arguments& arguments) {
+  CLI::App* expose = app.add_subcommand("expose", "Finds the exposure for measuring, and checks it in a picture.");
+  add_configuration(*expose, arguments, "--config");
+  expose->add_flag("--write", arguments.expose.write,
+                   "writes exposure_us and gain into the file; else prints the lines");
+  expose->add_flag("--json", arguments.json, "JSON lines: each look, then what was chosen");
+  expose->footer(
+      "Someone holds the target at the near, then at the far end of the working volume, and presses Enter.\n"
+      "Simulated cameras see it held there. Stop the unit first: a camera that is in use ends with exit code 3.\n\n"
+      "Example: tripointd expose --config unit.toml --write");
 }
 
 void describe_pictures(CLI::App& app, Arguments& arguments) {
@@ -115,6 +130,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
   app.footer(kExitCodes);
   describe_running(app, arguments);
+  describe_exposing(app, arguments);
   describe_pictures(app, arguments);
   describe_replay(app, arguments);
   app.add_subcommand("version", "Prints the version.")->footer("Example: tripointd version");
@@ -124,6 +140,9 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("run")) return run_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("check-config")) return check_config_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("cameras")) return cameras_command(arguments.json);
+  if (app.got_subcommand("expose")) {
+    return expose_command({arguments.config, arguments.overrides, arguments.expose.write, arguments.json});
+  }
   if (app.got_subcommand("detect")) return detect_command(arguments.detect);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);
   fmt::print("tripointd {}\n", version_text());

@@ -109,6 +109,8 @@ SimulationConfig simulation_from(TableReader table, const std::filesystem::path&
   s.stamp_jitter_us = table.number("stamp_jitter_us", {0.0, 20'000.0}, s.stamp_jitter_us);
   s.clock_drift_ppm = table.number("clock_drift_ppm", {-1000.0, 1000.0}, s.clock_drift_ppm);
   s.right_phase_ms = table.number("right_phase_ms", {0.0, 1000.0}, s.right_phase_ms);
+  s.white_level = table.number("white_level", {0.0, 10.0}, s.white_level);
+  s.led_peak = table.number("led_peak", {0.0, 10'000.0}, s.led_peak);
   table.finish();
   return s;
 }

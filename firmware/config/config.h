@@ -93,6 +93,8 @@ struct SimulationConfig {
   double stamp_jitter_us = 0.0;
   double clock_drift_ppm = 0.0;
   double right_phase_ms = 0.0;  ///< how much later the right camera exposes
+  double led_peak = 1.5;        ///< times clip at 400 mm, with an exposure of 2000 us and gain 0
+  double white_level = 0.05;    ///< of a white surface, likewise
 };
 
 struct Config {

@@ -57,6 +57,8 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
                    .format = settings.format,
                    .rate_hz = format->rate_hz,
                    .exposure = controls->exposure,
+                   .shortest_exposure = controls->shortest_exposure,
+                   .longest_exposure = controls->longest_exposure,
                    .gain = settings.gain,
                    .missing_controls = std::move(controls->missing)};
   return camera;

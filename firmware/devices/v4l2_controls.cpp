@@ -93,6 +93,10 @@ Result<V4l2Controls> set_controls(const V4l2Device& device, const V4l2Settings& 
       result.missing.emplace_back(setting.name);
       continue;
     }
+    if (setting.id == V4L2_CID_EXPOSURE_ABSOLUTE) {
+      result.shortest_exposure = (*description)->minimum * kExposureUnit;
+      result.longest_exposure = (*description)->maximum * kExposureUnit;
+    }
     const Result<void> done = set(device, setting, **description);
     if (!done) return tl::make_unexpected(done.error());
   }

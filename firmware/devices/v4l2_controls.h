@@ -10,7 +10,9 @@
 namespace tripoint {
 
 struct V4l2Controls {
-  Duration exposure{0};              ///< as the camera rounded it
+  Duration exposure{0};           ///< as the camera rounded it
+  Duration shortest_exposure{0};  ///< that the camera offers
+  Duration longest_exposure{0};
   std::vector<std::string> missing;  ///< names of controls that the camera does not have
 };
 

@@ -18,7 +18,9 @@ struct CameraInfo {
   ImageSize size;
   PixelFormat format = PixelFormat::kYuyv;
   double rate_hz = 0.0;
-  Duration exposure{0};  ///< 0 = not known
+  Duration exposure{0};           ///< 0 = not known
+  Duration shortest_exposure{0};  ///< that it offers; 0 = not known
+  Duration longest_exposure{0};   ///< the same
   int gain = 0;
   std::vector<std::string> missing_controls;  ///< that it does not have; its automatics may then change the picture
 };

@@ -55,6 +55,13 @@ TEST_F(V4l2ControlsTest, TheExposureIsRoundedToTheCamerasUnit) {
   EXPECT_EQ(set()->exposure, std::chrono::microseconds(100));  // the least there is
 }
 
+TEST_F(V4l2ControlsTest, TheExposuresThatTheCameraOffersAreTold) {
+  const auto controls = set();
+  ASSERT_TRUE(controls) << controls.error().message;
+  EXPECT_EQ(controls->shortest_exposure, std::chrono::microseconds(100));
+  EXPECT_EQ(controls->longest_exposure, std::chrono::milliseconds(500));
+}
+
 TEST_F(V4l2ControlsTest, AbsentControlsAreNoted) {
   driver_.controls.erase(V4L2_CID_FOCUS_AUTO);
   driver_.controls.erase(V4L2_CID_FOCUS_ABSOLUTE);

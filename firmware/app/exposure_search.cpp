@@ -1,0 +1,155 @@
+#include "app/exposure_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "line/detect/exposure_margin.h"
+
+namespace tripoint {
+namespace {
+
+using std::chrono::microseconds;
+
+constexpr int kMostSteps = 8;
+constexpr double kLargestStep = 4.0;     ///< by which an exposure changes at once
+constexpr int kFarthest = 12;            ///< such steps away from the start: a factor of 17 million
+constexpr double kNear = 1.2;            ///< a factor: nearer to the middle of the range need not be
+constexpr double kLightestWhite = 0.06;  ///< of clip; source: decision 0008 and the rendered scenes behind the gates
+const double kMiddle = std::sqrt(kRecommendedFrom * kRecommendedTo);
+
+double number_of(microseconds exposure) { return static_cast<double>(exposure.count()); }
+
+microseconds within(const ExposureRange& offered, double exposure_us) {
+  return std::clamp(microseconds{std::llround(exposure_us)}, offered.shortest, offered.longest);
+}
+
+std::optional<SeenPeaks> in_both(const Look& look) {
+  if (!look.peaks.left || !look.peaks.right) return std::nullopt;
+  return SeenPeaks{std::min(look.peaks.left->dimmest, look.peaks.right->dimmest),
+                   std::max(look.peaks.left->brightest, look.peaks.right->brightest)};
+}
+
+Error not_seen(const Look& last, const ExposureRange& offered) {
+  std::string where;
+  for (const Side side : kBothSides) {
+    if (last.peaks[side]) continue;
+    where += fmt::format("{}camera {} sees {} red spots", where.empty() ? "" : ", ", name(side), last.spots[side]);
+  }
+  return {
+      ErrorCode::kTimeout,
+      fmt::format("the target's LEDs, and nothing else, are seen by both cameras at no exposure from {} to {} us ({}); "
+                  "switch them on, show them to both cameras, and cover other red lights",
+                  offered.shortest.count(), offered.longest.count(), where)};
+}
+
+double factor_to_middle(const SeenPeaks& peaks) {
+  return std::clamp(kMiddle / std::sqrt(peaks.dimmest * peaks.brightest), 1.0 / kLargestStep, kLargestStep);
+}
+
+/// Between an exposure known to be too short and one too long it goes to the middle: at the knee where red clips, the
+/// luma of a small spot does not follow the light well enough to go there at once.
+class Bracket {
+ public:
+  double next_us(double exposure_us, double factor) {
+    (factor > 1.0 ? too_short_us_ : too_long_us_) = exposure_us;
+    if (too_short_us_ && too_long_us_) return std::sqrt(*too_short_us_ * *too_long_us_);
+    return exposure_us * factor;
+  }
+
+ private:
+  std::optional<double> too_short_us_;
+  std::optional<double> too_long_us_;
+};
+
+/// Goes away from the start to both sides until both cameras see the target.
+Result<Look> first_sight(const LookAt& look_at, const ExposureRange& offered, microseconds start) {
+  Look last;
+  for (int distance = 0; distance <= kFarthest; ++distance) {
+    for (const int steps : {-distance, distance}) {
+      const double exposure_us = number_of(start) * std::pow(kLargestStep, steps);
+      const bool beyond = exposure_us * kLargestStep <= number_of(offered.shortest) ||
+                          exposure_us >= kLargestStep * number_of(offered.longest);
+      if (beyond) continue;
+      Result<Look> look = look_at(within(offered, exposure_us));
+      if (!look || in_both(*look)) return look;
+      last = *look;
+      if (distance == 0) break;
+    }
+  }
+  return tl::make_unexpected(not_seen(last, offered));
+}
+
+/// The mean of a picture stands for white: where even that is too light, white is far above.
+std::optional<Error> too_light(const Look& look) {
+  for (const Side side : kBothSides) {
+    const double level = level_from_luma(look.mean_luma[side]);
+    if (level <= kLightestWhite) continue;
+    return Error{
+        ErrorCode::kOutOfRange,
+        fmt::format("too much light around: with {} us, as the LEDs need it, the picture of camera {} has {:.0f} "
+                    "% of clip on average, where even white should have {:.0f} % at most; darken the "
+                    "surroundings, or brighten the LEDs",
+                    look.exposure.count(), name(side), 100.0 * level, 100.0 * kLightestWhite)};
+  }
+  return std::nullopt;
+}
+
+PlaceBounds bounds_from(const Look& look, const SeenPeaks& peaks) {
+  const double exposure_us = number_of(look.exposure);
+  return {.shortest_us = exposure_us * kRecommendedFrom / peaks.dimmest,
+          .longest_us = exposure_us * kRecommendedTo / peaks.brightest,
+          .look = look};
+}
+
+}  // namespace
+
+Result<PlaceBounds> bounds_at_place(const LookAt& look_at, const ExposureRange& offered, microseconds start) {
+  Result<Look> look = first_sight(look_at, offered, within(offered, number_of(start)));
+  if (!look) return tl::make_unexpected(look.error());
+  Bracket bracket;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double factor = factor_to_middle(*in_both(*look));
+    if (factor < kNear && factor > 1.0 / kNear) break;
+    const microseconds next = within(offered, bracket.next_us(number_of(look->exposure), factor));
+    if (next == look->exposure) break;
+    Result<Look> better = look_at(next);
+    if (!better) return tl::make_unexpected(better.error());
+    if (!in_both(*better)) break;  // the edge of what is seen: what is known must do
+    look = std::move(better);
+  }
+  if (const std::optional<Error> error = too_light(*look)) return tl::make_unexpected(*error);
+  return bounds_from(*look, *in_both(*look));
+}
+
+Result<microseconds> exposure_for(const PlaceBounds& near_end, const PlaceBounds& far_end,
+                                  const ExposureRange& offered) {
+  const double shortest_us = std::max(near_end.shortest_us, far_end.shortest_us);
+  const double longest_us = std::min(near_end.longest_us, far_end.longest_us);
+  if (shortest_us > longest_us) {
+    return failure(
+        ErrorCode::kOutOfRange,
+        fmt::format("no exposure suits both ends: from {:.0f} us on no LED is below, and up to {:.0f} us none "
+                    "above the recommended range; bring the ends of the volume nearer to each other, or use "
+                    "LEDs that shine evenly to all sides",
+                    shortest_us, longest_us));
+  }
+  if (longest_us < number_of(offered.shortest)) {
+    return failure(ErrorCode::kOutOfRange,
+                   fmt::format("too bright even at the shortest exposure, {} us (up to {:.1f} us "
+                               "would be right); dim the LEDs, lower cameras.gain, or close the "
+                               "iris",
+                               offered.shortest.count(), longest_us));
+  }
+  if (shortest_us > number_of(offered.longest)) {
+    return failure(ErrorCode::kOutOfRange,
+                   fmt::format("too dim even at the longest exposure, {} us (from {:.0f} us on "
+                               "would be right); brighten the LEDs, raise cameras.gain, or open "
+                               "the iris",
+                               offered.longest.count(), shortest_us));
+  }
+  return within(offered, std::sqrt(shortest_us * longest_us));
+}
+
+}  // namespace tripoint

@@ -1,0 +1,125 @@
+"""tripointd expose on simulated cameras: finds, checks, writes, and says why where it cannot."""
+
+import json
+import subprocess
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+from system.daemon import CONFIG, binary, finished
+
+LIMIT_S = 60.0
+WELL, NO, USAGE, MISSING = 0, 1, 2, 3
+
+
+@pytest.fixture
+def config(tmp_path: Path) -> Path:
+    """The demo's configuration, with a comment and a wrong exposure to be replaced."""
+    binary()  # skips where there is none
+    for file in CONFIG.parent.glob("*.toml"):
+        (tmp_path / file.name).symlink_to(file)
+    text = CONFIG.read_text(encoding="utf-8")
+    copy = tmp_path / "unit.toml"
+    copy.write_text(text.replace("[cameras]", "[cameras]  # both\nexposure_us = 9000  # by guess"), encoding="utf-8")
+    return copy
+
+
+def exposed(config: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return finished("expose", "--config", str(config), *arguments, limit_s=LIMIT_S)
+
+
+def peak_at(z_mm: float, exposure_us: float) -> float:
+    """Truth, in units of clip: the LED's energy falls with z², and its spot is the lens's blur and its own size."""
+    focal_px, blur_px, core_mm = 627.0, 0.8, 1.1
+
+    def spot_px2(z_mm: float) -> float:
+        return blur_px**2 + float((core_mm * focal_px / z_mm) ** 2)
+
+    return 1.5 * exposure_us / 2000.0 * (400.0 / z_mm) ** 2 * spot_px2(400.0) / spot_px2(z_mm)
+
+
+def chosen(config: Path, *settings: str) -> Any:
+    """The last of the JSON lines."""
+    arguments = [argument for setting in settings for argument in ("--set", setting)]
+    done = exposed(config, "--json", *arguments)
+    assert done.returncode == WELL, done.stderr
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_the_exposure_found_is_written_and_nothing_else_changes(config: Path) -> None:
+    before = config.read_text(encoding="utf-8")
+    done = exposed(config, "--write")
+    assert done.returncode == WELL, done.stderr
+    written = tomllib.loads(config.read_text(encoding="utf-8"))["cameras"]["exposure_us"]
+    assert config.read_text(encoding="utf-8") == before.replace("exposure_us = 9000 ", f"exposure_us = {written} ")
+    assert f"measuring: {written} us" in done.stdout
+    assert finished("check-config", str(config)).returncode == WELL
+    assert peak_at(600.0, written) >= 1.0
+    assert peak_at(250.0, written) <= 3.0
+
+
+def test_without_write_the_lines_are_printed_and_the_file_stays(config: Path) -> None:
+    before = config.read_bytes()
+    done = exposed(config)
+    assert done.returncode == WELL, done.stderr
+    assert "[cameras]\nexposure_us = " in done.stdout
+    assert config.read_bytes() == before
+
+
+def test_twice_the_light_takes_half_the_exposure(config: Path) -> None:
+    once, twice = chosen(config)["exposure_us"], chosen(config, "simulation.led_peak=3")["exposure_us"]
+    assert twice == pytest.approx(once / 2.0, rel=0.15)  # noise of the brightest pixel at each of two ends
+
+
+def test_gain_is_light_as_well(config: Path) -> None:
+    once, gained = chosen(config), chosen(config, "cameras.gain=64")
+    assert gained["gain"] == 64
+    assert gained["exposure_us"] == pytest.approx(once["exposure_us"] / 2.0, rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("settings", "complaint"),
+    [
+        (("simulation.led_peak=0.06", "simulation.white_level=0"), "too dim even at the longest exposure"),
+        (("simulation.led_peak=0.06",), "too much light around"),
+        (("simulation.led_peak=9000",), "too bright even at the shortest exposure"),
+        (("volume.max_mm=[200, 200, 2000]", "simulation.white_level=0.001"), "no exposure suits both ends"),
+        (("simulation.led_peak=0",), "sees 0 red spots"),
+    ],
+)
+def test_where_no_exposure_suits_the_reason_is_given_and_nothing_written(
+    config: Path, settings: tuple[str, ...], complaint: str
+) -> None:
+    before = config.read_bytes()
+    arguments = [argument for setting in settings for argument in ("--set", setting)]
+    done = exposed(config, "--write", *arguments)
+    assert complaint in done.stderr
+    assert done.returncode == NO
+    assert config.read_bytes() == before
+
+
+def test_a_missing_camera_is_named(config: Path) -> None:
+    text = config.read_text(encoding="utf-8").replace('source = "simulation"', "")
+    config.write_text(
+        text.replace("[calibration]", '[cameras.left]\nserial = "none"\n[cameras.right]\nport = "9-9"\n[calibration]'),
+        encoding="utf-8",
+    )
+    done = exposed(config)
+    assert done.returncode == MISSING
+    assert "camera left" in done.stderr
+
+
+def test_a_read_only_file_is_not_replaced(config: Path) -> None:
+    config.chmod(0o444)
+    before = config.read_bytes()
+    done = exposed(config, "--write")
+    assert done.returncode == USAGE
+    assert "read-only" in done.stderr
+    assert config.read_bytes() == before
+
+
+def test_a_recording_has_no_exposure_to_choose(config: Path, tmp_path: Path) -> None:
+    done = exposed(config, "--set", "cameras.source=recording", "--set", f"recording.folder={tmp_path}")
+    assert done.returncode == USAGE
+    assert "recording" in done.stderr
