@@ -20,17 +20,18 @@ struct Comparison {
 
 std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, const Candidate& candidate) {
   const double surface = static_cast<double>(candidate.red_surface) + settings.min_over_surface;
-  return {{{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(settings.min_peak), 0},
-           {DropCause::kNoContrast, "contrast", &Candidate::contrast, static_cast<double>(settings.min_contrast), 0},
-           {DropCause::kElongated, "aspect", &Candidate::aspect, settings.max_aspect, 2},
-           {DropCause::kCrowded, "bright around", &Candidate::crowding, settings.max_crowding, 2},
-           {DropCause::kNotRedder, "red step", &Candidate::red_step, static_cast<double>(settings.min_red_step), 0},
-           {DropCause::kNotRed, "redness", &Candidate::redness, settings.min_redness, 2},
-           {DropCause::kNotEmitting, "emission", &Candidate::emission, settings.min_emission, 2},
-           {DropCause::kPoorFit, "residual", &Candidate::residual, settings.max_residual, 2},
-           {DropCause::kOtherHue, "hue", &Candidate::hue, settings.max_hue, 2},
-           {DropCause::kRedSurface, "peak", &Candidate::peak, surface, 0},
-           {DropCause::kWeak, "amplitude", &Candidate::amplitude, settings.min_amplitude, 0}}};
+  return {
+      {{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(settings.min_peak), 0},
+       {DropCause::kNoContrast, "contrast", &Candidate::contrast, static_cast<double>(candidate.needed_contrast), 0},
+       {DropCause::kElongated, "aspect", &Candidate::aspect, settings.max_aspect, 2},
+       {DropCause::kCrowded, "bright around", &Candidate::crowding, settings.max_crowding, 2},
+       {DropCause::kNotRedder, "red step", &Candidate::red_step, static_cast<double>(settings.min_red_step), 0},
+       {DropCause::kNotRed, "redness", &Candidate::redness, settings.min_redness, 2},
+       {DropCause::kNotEmitting, "emission", &Candidate::emission, settings.min_emission, 2},
+       {DropCause::kPoorFit, "residual", &Candidate::residual, settings.max_residual, 2},
+       {DropCause::kOtherHue, "hue", &Candidate::hue, settings.max_hue, 2},
+       {DropCause::kRedSurface, "peak", &Candidate::peak, surface, 0},
+       {DropCause::kWeak, "amplitude", &Candidate::amplitude, settings.min_amplitude, 0}}};
 }
 
 /// So many decimals that a value beside its limit does not read as the limit itself.

@@ -55,11 +55,12 @@ struct Candidate {
   DropCause cause = DropCause::kKept;
   int start_u_px = 0;  ///< the pixel at which looking began
   int start_v_px = 0;
-  RawPixel at;             ///< the best known place: start, centre of the area, or the fit's centre
-  float peak = 0.0F;       ///< S
-  float contrast = 0.0F;   ///< S above the background
-  float level = 0.0F;      ///< of the contrast, at which the spot stood alone
-  float radius_px = 0.0F;  ///< of the circle with the spot's area at that level
+  RawPixel at;                   ///< the best known place: start, centre of the area, or the fit's centre
+  float peak = 0.0F;             ///< S
+  float contrast = 0.0F;         ///< S above the background
+  float needed_contrast = 0.0F;  ///< the same, at least
+  float level = 0.0F;            ///< of the contrast, at which the spot stood alone
+  float radius_px = 0.0F;        ///< of the circle with the spot's area at that level
   float aspect = 0.0F;
   float crowding = 0.0F;
   float red_step = 0.0F;      ///< V

@@ -9,7 +9,7 @@
 namespace tripoint {
 namespace {
 
-constexpr double kRoughest = 3.0;  // a step of that height moves a spot by less than its floor
+constexpr double kRoughest = 3.0;  // steps: the unevenness that a slope of one step in 6 px makes in the ring
 constexpr double kOfNoise = 4.0;
 constexpr double kFewest = 32.0;  // pixels of a plane
 constexpr int kStep_px = 2;       // every second pixel of every fourth row: noise averages out over the ring
@@ -39,6 +39,10 @@ Ints4 four_lumas(const Plane& luma, int u, int v) {
   return __builtin_convertvector(__builtin_shufflevector(eight, eight, 0, 2, 4, 6), Ints4);
 }
 
+/// The neighbour of each but the last.
+Ints4 next(Ints4 v) { return __builtin_shufflevector(v, v, 1, 2, 3, 3); }
+constexpr Ints4 kNotLast{-1, -1, -1, 0};
+
 /// The plane rise = a + b x + c y by least squares, x and y from the ring's middle.
 class PlaneFit {
  public:
@@ -57,6 +61,8 @@ class PlaneFit {
       const Ints4 both = kept & (rise_beside < ring.limit) & (rise_beside > -ring.limit);
       const Ints4 kept_rise = rise & kept;
       const Ints4 step = (rise - rise_beside) & both;
+      const Ints4 along = kept & next(kept) & kNotLast;
+      const Ints4 step_along = (next(rise) - rise) & along;
       n -= kept;
       sum_x += x & kept;
       sum_rise += kept_rise;
@@ -64,6 +70,8 @@ class PlaneFit {
       x_rise_ += x * kept_rise;
       steps_ -= both;
       step_step_ += step * step;
+      steps_along_ -= along;
+      step_step_along_ += step_along * step_along;
     }
     n_ += n, x_ += sum_x, rise_ += sum_rise;
     y_ += y * n, yy_ += y * y * n, xy_ += y * sum_x, y_rise_ += y * sum_rise;
@@ -81,13 +89,18 @@ class PlaneFit {
     return spread.inverse() * (Vec2(sum(x_rise_), sum(y_rise_)) - sum(rise_) * mean);
   }
 
-  /// Half of the mean square between two pixels is the variance of one.
-  [[nodiscard]] double grain() const { return std::sqrt(0.5 * sum(step_step_) / std::max(1, sum(steps_))); }
+  /// Half of the mean square between two pixels is the variance of one; stripes show in one direction only.
+  [[nodiscard]] double grain() const {
+    const double down = 0.5 * sum(step_step_) / std::max(1, sum(steps_));
+    const double along = 0.5 * sum(step_step_along_) / std::max(1, sum(steps_along_));
+    return std::sqrt(std::min(down, along));
+  }
 
  private:
   // Sums over the kept pixels of 1, x, y, their products and their products with the rise, in four lanes.
   Ints4 n_{}, x_{}, y_{}, xx_{}, xy_{}, yy_{}, rise_{}, x_rise_{}, y_rise_{};
-  Ints4 steps_{}, step_step_{};  // from row to row
+  Ints4 steps_{}, step_step_{};              // from row to row
+  Ints4 steps_along_{}, step_step_along_{};  // along the row
 };
 
 double outer_radius_px(double radius_px) { return 3.0 * radius_px + 12.0; }
@@ -103,6 +116,7 @@ GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radi
   const auto row = static_cast<int>(std::lround(at.v_px));
   const auto reach = static_cast<int>(outer_px);
   const ImageSize size = picture.size;
+  if (size.height_px <= kStep_px) return {};
   const Ring ring{.column = column,
                   .row = row,
                   .inner_px2 = square_of(inner_px),
@@ -116,7 +130,7 @@ GroundPlane ground_plane(const Picture& picture, const RawPixel& at, double radi
     const int beside = v + kStep_px < size.height_px ? v + kStep_px : v - kStep_px;
     fit.add_row(picture.luma, ring, v, beside);
   }
-  return {.slope = ground.noise > kRoughest ? Vec2(0.0, 0.0) : fit.slope(), .grain = fit.grain()};
+  return {.slope = fit.slope(), .rough = ground.noise > kRoughest, .grain = fit.grain()};
 }
 
 int ground_reach_px(double radius_px) { return static_cast<int>(outer_radius_px(radius_px)) + kStep_px; }

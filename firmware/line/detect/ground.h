@@ -14,8 +14,8 @@ struct Ground {
 
 /// The ground under a spot, as a wide ring around it shows it.
 struct GroundPlane {
-  Vec2 slope = Vec2::Zero();  ///< steps per column and row; zero where the ground is rough: a step in it, taken for a
-                              ///< slope, would do more harm than a slope left in
+  Vec2 slope = Vec2::Zero();  ///< steps per column and row
+  bool rough = false;         ///< a step in it, taken for a slope, could do more harm than a slope left in
   double grain = 0.0;         ///< standard deviation of pixels against their neighbours: noise without pattern
 };
 

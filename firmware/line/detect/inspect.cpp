@@ -39,6 +39,11 @@ double doubt_of_stretched_px(const Area& area) {
   return share * std::sqrt(std::max(more_px2, 0.0));
 }
 
+/// Of a Gaussian fitted on ground that is taken for level: 4 sigma^2 / A times the slope.
+double displacement_by_slope_px(const SpotFit& fit, double slope) {
+  return 4.0 * fit.model.sigma_px * fit.model.sigma_px / std::max(fit.visible_amplitude, 1.0) * slope;
+}
+
 }  // namespace
 
 Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
@@ -46,6 +51,7 @@ Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
   seen_.start_u_px = start.u_px;
   seen_.start_v_px = start.v_px;
   seen_.at = {static_cast<double>(start.u_px), static_cast<double>(start.v_px)};
+  seen_.needed_contrast = static_cast<float>(settings_.min_contrast);
   point_.reset();
   looked_ = {start.v_px, start.v_px + 1};
   look_at_rows(start.v_px, kPeakReach_px);
@@ -122,7 +128,7 @@ DropCause Inspector::isolate(const Picture& picture) {
     const int background = background_of(window_);
     if (background == SpotWindow::kOutside) return DropCause::kNoSurround;
     seen_.contrast = seen_.peak - static_cast<float>(background);
-    if (seen_.contrast < static_cast<float>(settings_.min_contrast)) return DropCause::kNoContrast;
+    if (seen_.contrast < seen_.needed_contrast) return DropCause::kNoContrast;
     alone = spread_alone(background);
     if (alone) break;
   }
@@ -155,9 +161,9 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   around_ = surround_of(window_, area_, peak);
   if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;
   seen_.contrast = static_cast<float>(peak - around_.strength);
-  if (seen_.contrast < static_cast<float>(settings_.min_contrast_of_noise * around_.strength_noise)) {
-    return DropCause::kNoContrast;
-  }
+  seen_.needed_contrast =
+      std::max(seen_.needed_contrast, static_cast<float>(settings_.min_contrast_of_noise * around_.strength_noise));
+  if (seen_.contrast < seen_.needed_contrast) return DropCause::kNoContrast;
   seen_.crowding = static_cast<float>(around_.crowding);
   seen_.red_step -= static_cast<float>(around_.red);
   seen_.surround_red = static_cast<float>(around_.red);
@@ -221,7 +227,8 @@ void Inspector::make_point(const SpotMeasurement& measured) {
   const double misfit_px =
       kDoubtOfMisfit * fit.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
   const double sharp_px = kDoubtOfSharpness * std::max(0.0, kWellSampled_px - fit.model.sigma_px);
-  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px + sharp_px * sharp_px;
+  const double slope_px = displacement_by_slope_px(fit, measured.slope_left_in);
+  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px + sharp_px * sharp_px + slope_px * slope_px;
   point_ = ImagePoint{.at = seen_.at,
                       .covariance_px2 = fit.covariance_px2 + doubt_px2 * Matrix2::Identity(),
                       .label = std::nullopt,

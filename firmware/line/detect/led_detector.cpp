@@ -74,6 +74,8 @@ void LedDetector::keep(const Picture& picture, const Inspection& inspection) {
   Candidate candidate = inspection.candidate;
   if (inspection.point) {
     candidate.cause = within_bands(inspection.looked) ? judge_light(picture, candidate) : DropCause::kBeyondBand;
+    // What would be a spot may be one: the picture has not shown all of it.
+    if (candidate.cause == DropCause::kBeyondBand) detection_.health.candidates_cut = true;
     if (candidate.cause == DropCause::kKept) candidate.cause = make_room(candidate, *inspection.point);
   }
   log_.push_back(candidate);

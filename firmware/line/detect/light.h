@@ -15,7 +15,8 @@ struct SceneLight {
 
 SceneLight scene_light_of(const Picture& picture);
 
-/// S of a pure red surface that reflects as much red as a white one: no reflecting thing in that light is stronger.
+/// S of a pure red surface that reflects as much red as a white one: no reflecting thing in that light is stronger. A
+/// lamp that lights up less than a twentieth of the picture is another light.
 ///
 /// Source: S = 3 Y + 4 V of red alone, ITU-R BT.601; the same for luma from 16 to 235 and from 0 to 255 within 2 %.
 int strength_of_red_surface(const SceneLight& light);

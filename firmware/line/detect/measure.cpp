@@ -29,6 +29,9 @@ double grain(const IsolatedSpot& spot, Channel channel) {
   return share * spot.around.noise(channel);
 }
 
+/// Whether the slope is taken off before the fit.
+bool levels(const GroundPlane& ground, Channel channel) { return channel == Channel::kLuma && !ground.rough; }
+
 /// One row of luma without its ground, which starts at `ground` and rises by `slope` a column.
 void level(const std::uint8_t* lumas, double ground, double slope, std::span<float> values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -92,9 +95,11 @@ void SpotMeasurer::fill(const IsolatedSpot& spot, Channel channel) {
   for (int row = 0; row < fit_window_.rows(); ++row) {
     const std::size_t first = SpotWindow::index(box_.left, box_.top + row);
     const std::span<float> values(fit_window_.values(row), columns);
-    if (channel == Channel::kLuma) {
+    if (levels(spot.ground, channel)) {
       const Vec2 beside_px(box_.left - spot.area.column, box_.top + row - spot.area.row);
       level(spot.window.lumas(first), spot.ground.slope.dot(beside_px), spot.ground.slope.x(), values);
+    } else if (channel == Channel::kLuma) {
+      level(spot.window.lumas(first), 0.0, 0.0, values);
     } else {
       const std::int16_t* strengths = spot.window.strengths(first);
       for (std::size_t i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
@@ -148,6 +153,7 @@ std::optional<SpotMeasurement> SpotMeasurer::measure_on(const IsolatedSpot& spot
   return SpotMeasurement{.fit = *fit,
                          .channel = channel,
                          .grain = grain(spot, channel),
+                         .slope_left_in = levels(spot.ground, channel) ? 0.0 : spot.ground.slope.norm(),
                          .share_of_radius = share_of_radius(fit->model, spot),
                          .hidden_pixels = static_cast<int>(clipped_.size()),
                          .peak_luma = peak_luma_};

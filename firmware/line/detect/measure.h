@@ -28,6 +28,7 @@ struct SpotMeasurement {
   SpotFit fit;  ///< centre in the window's coordinates
   Channel channel = Channel::kLuma;
   double grain = 0.0;          ///< of the ground, standard deviation in the channel's units
+  double slope_left_in = 0.0;  ///< of the ground, luma steps per px
   double share_of_radius = 0;  ///< of the fitted Gaussian at `level`, over the area's radius
   int hidden_pixels = 0;       ///< clipped, and left out of the fit
   int peak_luma = 0;

@@ -11,8 +11,7 @@
 namespace tripoint {
 namespace {
 
-// Of the LEDs of rendered cluttered scenes three in a thousand differ by more than 1.4 in size and 3 in brightness; the
-// rest is for two cameras that are focused and exposed a little differently.
+// Room for two cameras that are focused and exposed a little differently and see a LED from two sides.
 constexpr double kMostSizeRatio = 2.0;
 constexpr double kMostBrightnessRatio = 4.0;
 
@@ -47,10 +46,12 @@ PerSide<MeasuredPixel> whole_uncertainty(const AlignedPoint& left, const Aligned
 
 bool within_ratio(double a, double b, double most) { return a <= most * b && b <= most * a; }
 
-/// One light is about as large and as bright in both pictures. Corners of tags have neither size nor brightness.
+/// One light is about as large and as bright in both pictures. Corners of tags have neither size nor brightness; far
+/// above clip a spot's size is that of its glare, and a weak spot's brightness is on another scale.
 bool alike(const ImagePoint& left, const ImagePoint& right) {
-  return within_ratio(left.sigma_px, right.sigma_px, kMostSizeRatio) &&
-         within_ratio(left.amplitude, right.amplitude, kMostBrightnessRatio);
+  if (left.saturated || right.saturated) return true;
+  const bool sizes = within_ratio(left.sigma_px, right.sigma_px, kMostSizeRatio);
+  return sizes && (left.weak != right.weak || within_ratio(left.amplitude, right.amplitude, kMostBrightnessRatio));
 }
 
 /// What speaks against a pair inside the epipolar gate, nothing when it is possible.
@@ -81,11 +82,15 @@ Candidates candidates(const Aligned& seen, const LineModel& model) {
       const PerSide<MeasuredPixel> pixels = whole_uncertainty(seen.points.left[i], seen.points.right[j]);
       const std::optional<EpipolarGate> gate = epipolar_gate(model, pixels);
       if (!gate || !gate->passed) continue;
-      const bool one_light = alike(seen.points.left[i].seen, seen.points.right[j].seen);
-      const Faults reasons = one_light ? against(pixels, range, model) : Faults{Fault::kGeometryGate};
+      const Faults reasons = against(pixels, range, model);
       found.refused.insert(reasons);
       if (!reasons.empty()) continue;
-      found.pairs.push_back({{i, j}, *gate});
+      // Two that are not alike are believed by nobody, but they may be the true pair: neither has another partner then.
+      if (alike(seen.points.left[i].seen, seen.points.right[j].seen)) {
+        found.pairs.push_back({{i, j}, *gate});
+      } else {
+        found.refused.insert(Fault::kGeometryGate);
+      }
       ++found.partners.left[i];
       ++found.partners.right[j];
     }

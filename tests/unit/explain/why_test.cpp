@@ -30,6 +30,12 @@ TEST(WhyTest, AMeasuredValueStandsAgainstItsLimit) {
   EXPECT_EQ(why_of(with(DropCause::kDim, &Candidate::peak, 612.0F)), "peak 612 < 780");
 }
 
+TEST(WhyTest, ContrastStandsAgainstWhatTheNoiseDemanded) {
+  Candidate candidate = with(DropCause::kNoContrast, &Candidate::contrast, 144.0F);
+  candidate.needed_contrast = 160.0F;
+  EXPECT_EQ(why_of(candidate), "contrast 144 < 160");
+}
+
 TEST(WhyTest, TheLimitIsThatOfTheSettings) {
   LedDetectorSettings settings;
   settings.min_emission = -0.1;

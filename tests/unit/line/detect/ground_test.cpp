@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "line/detect/led_detector.h"
@@ -82,10 +85,30 @@ TEST(GroundTest, StepInTheRingIsNoSlope) {
   expect_slope(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, kGround).slope, {0.0, 0.0});
 }
 
-TEST(GroundTest, RoughGroundIsLeftAlone) {
+TEST(GroundTest, RoughGroundIsCalledSo) {
   const Pictures pictures(sloped);
-  EXPECT_EQ(ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, {.luma = 60.0, .noise = 3.1}).slope,
-            Vec2(0.0, 0.0));
+  const auto rough = [&](double noise) {
+    return ground_plane(pictures.interleaved(), {100.0, 90.0}, kRadius_px, {.luma = 60.0, .noise = noise}).rough;
+  };
+  EXPECT_FALSE(rough(2.9));
+  EXPECT_TRUE(rough(3.1));
+}
+
+TEST(GroundTest, StripesOfEitherDirectionAreNoGrain) {
+  const auto wave = [](int x) { return 60.0 + 6.0 * std::sin(2.0 * std::numbers::pi * x / 10.0); };
+  const Pictures across([&](int u, int) { return wave(u); });
+  const Pictures down([&](int, int v) { return wave(v); });
+  for (const Picture& picture : {across.interleaved(), down.interleaved()}) {
+    const GroundPlane ground = ground_plane(picture, {100.0, 90.0}, kRadius_px, {.luma = 60.0, .noise = 5.0});
+    EXPECT_LT(ground.grain, 0.5);  // rounding alone: 0.29
+  }
+}
+
+TEST(GroundTest, PictureOfOneRowIsNotReadBeyond) {
+  const std::vector<std::uint8_t> bytes(640, 128);
+  const Picture picture =
+      picture_of({.format = PixelFormat::kYuyv, .size = {320, 1}, .stride_bytes = 640, .data = std::span(bytes)});
+  EXPECT_EQ(ground_plane(picture, {100.0, 0.0}, kRadius_px, kGround).slope, Vec2(0.0, 0.0));
 }
 
 TEST(GroundTest, GrainIsTheNoiseFromPixelToPixelAndNoPattern) {
@@ -117,20 +140,47 @@ TEST(GroundTest, AtEveryBorderTheSlopeOfWhatShowsIsFound) {
   }
 }
 
-TEST(GroundTest, LedOnSlopingGroundIsWhereItIs) {
+/// The spot found on ground that slopes along the rows, and its error.
+struct OnSlope {
+  bool found = false;
+  double error_px = 0.0;
+  double stated_px = 0.0;
+};
+
+OnSlope led_on_slope(double slope, double sigma_px, double amplitude) {
   constexpr RawPixel kAt{150.3, 120.4};
-  constexpr double kSigma_px = 2.0;
   const auto shine = [&](int u, int v) {
-    return std::exp(-0.5 * (std::pow(u - kAt.u_px, 2) + std::pow(v - kAt.v_px, 2)) / (kSigma_px * kSigma_px));
+    return std::exp(-0.5 * (std::pow(u - kAt.u_px, 2) + std::pow(v - kAt.v_px, 2)) / (sigma_px * sigma_px));
   };
-  const Pictures pictures([&](int u, int v) { return 45.0 + 0.3 * (u - kAt.u_px) + 60.0 * shine(u, v); },
+  const auto ground = [&](int u) { return std::clamp(80.0 + slope * (u - kAt.u_px), 16.0, 150.0); };
+  const Pictures pictures([&](int u, int v) { return ground(u) + amplitude * shine(u, v); },
                           [&](int u, int v) { return 128.0 + 90.0 * shine(u, v); });
   LedDetector detector{LedDetectorSettings{}};
   const Detection detection = detector.detect(pictures.interleaved(), {});
-  ASSERT_EQ(detection.points.size(), 1U);
+  if (detection.points.size() != 1) return {};
+  const ImagePoint& point = detection.points[0];
+  return {true, std::hypot(point.at.u_px - kAt.u_px, point.at.v_px - kAt.v_px), std::sqrt(point.covariance_px2(0, 0))};
+}
+
+TEST(GroundTest, LedOnSlopingGroundIsWhereItIs) {
   // Left in, the slope would shift the centre by 4 sigma^2 / A times 0.3 = 0.08 px. The rest is rounding.
-  EXPECT_NEAR(detection.points[0].at.u_px, kAt.u_px, 0.02);
-  EXPECT_NEAR(detection.points[0].at.v_px, kAt.v_px, 0.02);
+  const OnSlope spot = led_on_slope(0.3, 2.0, 60.0);
+  ASSERT_TRUE(spot.found);
+  EXPECT_LT(spot.error_px, 0.025);
+}
+
+TEST(GroundTest, SlopeThatIsLeftInIsStated) {
+  int found = 0;
+  for (const double slope : {0.2, 0.4, 0.6, 0.8, 1.2}) {
+    for (const double sigma_px : {2.0, 3.0, 4.0}) {
+      for (const double amplitude : {25.0, 40.0, 80.0}) {
+        const OnSlope spot = led_on_slope(slope, sigma_px, amplitude);
+        found += spot.found ? 1 : 0;
+        EXPECT_LE(spot.error_px, 2.5 * spot.stated_px) << slope << ", sigma " << sigma_px << ", A " << amplitude;
+      }
+    }
+  }
+  EXPECT_GT(found, 20);
 }
 
 }  // namespace

@@ -79,19 +79,37 @@ TEST(MatchTest, LightsOfDifferentSizeOrBrightnessAreNoPair) {
   for (const double brightness : {201.0, 12.4}) EXPECT_EQ(with(1.5, brightness).faults, Faults{Fault::kGeometryGate});
 }
 
-TEST(MatchTest, ALargeReflectionOnTheSameLineDoesNotHideTheLight) {
+TEST(MatchTest, UnlikeSpotOnTheSameLineLeavesThePairAmbiguous) {
+  // Whichever of the two is the odd one: it may be the true light, changed by glare or by what stands before it.
   const LineModel model = webcam_model();
   const Vec3 eye = model.rig.camera_from_rig.left.inverse().translation();
   const Vec3 point{10.0, 15.0, 400.0};
   Aligned seen = seen_at_rest(model, {point, eye + 1.25 * (point - eye)});
   seen.points.left.truncate(1);
-  for (const Side side : kBothSides) {
-    for (AlignedPoint& spot : seen.points[side]) spot.seen.sigma_px = 1.5;
+  seen.points.left[0].seen.sigma_px = 1.5;
+  for (const std::size_t odd : {0U, 1U}) {
+    for (std::size_t i = 0; i < 2; ++i) seen.points.right[i].seen.sigma_px = i == odd ? 4.0 : 1.5;
+    const Pairs found = match(seen, model);
+    EXPECT_TRUE(found.faults.contains(Fault::kAmbiguous)) << "odd one " << odd;
+    EXPECT_TRUE(found.pairs.empty()) << "odd one " << odd;
   }
-  EXPECT_TRUE(match(seen, model).faults.contains(Fault::kAmbiguous));
-  seen.points.right[1].seen.sigma_px = 4.0;
+}
+
+TEST(MatchTest, GlareAndAnotherScaleAreNotCompared) {
+  const LineModel model = webcam_model();
+  Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+  ImagePoint& left = seen.points.left[0].seen;
+  ImagePoint& right = seen.points.right[0].seen;
+  left.amplitude = 20.0;
+  right.amplitude = 100.0;
+  EXPECT_EQ(match(seen, model).faults, Faults{Fault::kGeometryGate});
+  left.weak = true;
   EXPECT_TRUE(match(seen, model).faults.empty());
-  EXPECT_EQ(match(seen, model).pairs.size(), 1U);
+  left.sigma_px = 1.5;
+  right.sigma_px = 5.0;
+  EXPECT_EQ(match(seen, model).faults, Faults{Fault::kGeometryGate});
+  right.saturated = true;
+  EXPECT_TRUE(match(seen, model).faults.empty());
 }
 
 TEST(MatchTest, WhatAlignCouldNotFollowIsNotCalledUnseen) {
