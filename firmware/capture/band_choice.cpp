@@ -79,8 +79,8 @@ Sightings with(const Sightings& before, const Observation& seen, const Forecast&
   if (seen.coverage == Coverage::kWholeFrame) {
     now.whole_frame = seen.frame;
     now.spots_of_whole = seen.points.size();
-    now.cut = seen.health.candidates_cut;
   }
+  now.cut = seen.health.candidates_cut;
   now.spots = seen.points.size();
   now.foreseen = usable(forecast, seen.exposed) && as_forecast(seen, forecast);
   now.reach_px = std::max(0, before.reach_px - 1);

@@ -140,11 +140,15 @@ TEST_F(BandChoiceTest, WholeWhileTheLastWholePictureShowedMoreOrFewerSpots) {
   EXPECT_TRUE(whole());
 }
 
-TEST_F(BandChoiceTest, WholeWhenTheLastWholePictureWasNotLookedAtToTheEnd) {
-  Observation cut = seen_at(10, Coverage::kWholeFrame, kOne);
-  cut.health.candidates_cut = true;
-  sightings_ = with(sightings_, cut, forecast_);
-  EXPECT_TRUE(whole());
+TEST_F(BandChoiceTest, WholeWhenTheLastPictureWasNotLookedAtToTheEnd) {
+  for (const Coverage coverage : {Coverage::kWholeFrame, Coverage::kRegions}) {
+    see(10, Coverage::kWholeFrame, kOne);
+    Observation cut = seen_at(11, coverage, kOne);
+    cut.health.candidates_cut = true;
+    sightings_ = with(sightings_, cut, forecast_);
+    next_ = next_picture(12);
+    EXPECT_TRUE(whole());
+  }
 }
 
 TEST_F(BandChoiceTest, WholeAfterAMissedSpotAndAfterOneMore) {
