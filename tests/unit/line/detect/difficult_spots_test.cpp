@@ -156,8 +156,7 @@ TEST(DifficultSpotsTest, SpotSmallerThanALensMakesIsRefusedForItsSize) {
 }
 
 TEST(DifficultSpotsTest, SharpLedIsStatedLessCertain) {
-  // At a core of 0.7 px a mosaic displaces a spot by 0.16 px RMS (tripointd's renderer, 320x240), which one picture of
-  // a spot without a mosaic cannot show.
+  // A mosaic displaces a spot that falls between its red pixels; this picture has no mosaic and cannot show it.
   const auto deviation_px = [](double sigma_px) {
     Painting painting(kSize, 0.02);
     painting.add(Light{.at = {300.2, 200.4}, .sigma_px = sigma_px, .peak = 0.9});
