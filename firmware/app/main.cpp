@@ -153,17 +153,22 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
 /// are: CLI11 itself only says that a subcommand is required.
 std::string refusal(const CLI::App* app, const CLI::Error& error) {
   const std::vector<CLI::App*> chosen = app->get_subcommands();
+  const std::vector<std::string> unknown = app->remaining();
+  const bool option_first = !unknown.empty() && unknown.front().starts_with('-');
   if (!chosen.empty()) {
     const std::string& command = chosen.front()->get_name();
+    if (option_first) {
+      return fmt::format("tripointd: {0} stands before the subcommand: write `tripointd {1} {0}`\n", unknown.front(),
+                         command);
+    }
     return fmt::format("tripointd {0}: {1}; `tripointd {0} --help` lists what it takes\n", command, error.what());
   }
   std::string known;
   for (const CLI::App* command : app->get_subcommands(nullptr)) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", command->get_name());
   }
-  const std::vector<std::string> unknown = app->remaining();
-  const std::string what =
-      unknown.empty() ? "a subcommand is missing" : fmt::format("'{}' is no subcommand", unknown.front());
+  const std::string what = unknown.empty() || option_first ? "a subcommand is missing"
+                                                           : fmt::format("'{}' is no subcommand", unknown.front());
   return fmt::format("tripointd: {}: write one of {}; `tripointd --help` explains them\n", what, known);
 }
 

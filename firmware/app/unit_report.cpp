@@ -42,7 +42,10 @@ registers::CameraState camera_state(const CameraStatus& camera) {
 UnitReport::UnitReport(const UnitConstants& constants, TimePoint started) : constants_(constants), started_(started) {}
 
 void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock) {
-  if (measurement.common_time) ++heartbeat_;
+  if (measurement.common_time) {
+    ++heartbeat_;
+    exposure_since_start_ = true;
+  }
   if (measurement.pose) pose_since_start_ = true;
   newest_ = PublishedMeasurement{.measurement = measurement, .utc_offset = clock.utc_offset()};
   if (arrived && measurement.common_time) latency_.add(clock.now() - *arrived);
@@ -71,6 +74,7 @@ UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& c
   if (camera_state(cameras.right) == registers::CameraState::kMissing) state.faults.insert(Fault::kRightCameraLost);
   if (!constants_.unique_serials) state.warnings.insert(Warning::kNoUniqueSerial);
   state.newest = newest_;
+  state.exposure_since_start = exposure_since_start_;
   state.pose_since_start = pose_since_start_;
   for (const Side side : kBothSides) state.cameras[side] = stats(side, cameras[side]);
   if (latency_.quantile(0.5) > Duration{0}) {

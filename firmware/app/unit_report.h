@@ -50,6 +50,7 @@ class UnitReport {
   UnitConstants constants_;
   TimePoint started_;
   std::uint16_t heartbeat_ = 0;
+  bool exposure_since_start_ = false;
   bool pose_since_start_ = false;
   bool stopped_ = false;
   std::optional<PublishedMeasurement> newest_;

@@ -28,6 +28,7 @@ UnitState state_of(std::uint32_t sequence, TimePoint epoch) {
   UnitState state;
   state.heartbeat = static_cast<std::uint16_t>(sequence);
   state.limits.age_limit = std::chrono::hours(1);
+  state.exposure_since_start = true;
   state.pose_since_start = true;
   Measurement measurement;
   measurement.sequence = sequence;

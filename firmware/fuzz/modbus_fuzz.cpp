@@ -23,6 +23,7 @@ UnitState state() {
   measurement.pose = TargetPose{};
   measurement.points.push_back(MeasuredPoint{});
   unit.newest = PublishedMeasurement{measurement, Duration{0}};
+  unit.exposure_since_start = true;
   unit.pose_since_start = true;
   return unit;
 }

@@ -89,6 +89,7 @@ Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now) 
   faults.insert(measurement.faults);
 
   Reading reading = told_by(*state.newest);
+  if (!state.exposure_since_start) reading.time_ns = 0;  // the time is that of a camera's loss
   if (state.pose_since_start) reading.age_ms = age_of(measurement, now);
   const Duration age = now - measurement.exposed;
   const bool stopped = state.state == registers::State::kStopped;

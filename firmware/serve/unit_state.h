@@ -89,6 +89,7 @@ struct UnitState {
   Faults faults;      ///< of the unit; those of the measurement are added
   Warnings warnings;  ///< of the unit; those of the measurement are added, Publication holds all
   std::optional<PublishedMeasurement> newest;  ///< nothing before the first verdict
+  bool exposure_since_start = false;           ///< at least one verdict was about pictures, not about a camera
   bool pose_since_start = false;               ///< at least one verdict had a pose
   PerSide<CameraStats> cameras;
   HealthStats health;

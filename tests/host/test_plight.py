@@ -44,6 +44,16 @@ def test_a_camera_that_does_not_deliver_is_named() -> None:
     assert told("starting", health=late) == "starting: the left camera has not delivered a picture yet"
 
 
+def test_a_real_camera_that_was_never_opened_is_told_from_one_that_went_away() -> None:
+    never = replace(CAMERA, state="missing", exposure_us=None)
+    words = told("camera_fault", health=replace(HEALTH, left=never))
+    assert words.startswith("camera fault: the left camera has not been opened since the unit started")
+    assert "[cameras.left]" in words
+    recording = answer(POSE)
+    simulated = replace(recording, state=replace(recording.state, state="camera_fault"))
+    assert doing(simulated, replace(HEALTH, left=never)) == "camera fault: the left camera is not there"
+
+
 def test_every_state_of_the_map_has_words() -> None:
     for meaning in register_map().choices["state"]:
         assert told(meaning.name).startswith(meaning.name.replace("_", " "))

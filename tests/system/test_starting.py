@@ -115,6 +115,13 @@ def test_an_unknown_subcommand_is_named_with_those_there_are() -> None:
     )
 
 
+def test_an_option_before_the_subcommand_is_told_its_place() -> None:
+    refused = finished("--json", "cameras")
+    assert refused.returncode == 2
+    assert refused.stderr == "tripointd: --json stands before the subcommand: write `tripointd cameras --json`\n"
+    assert finished("--json").stderr.startswith("tripointd: a subcommand is missing: write one of run,")
+
+
 def test_a_missing_option_is_named_with_its_subcommand() -> None:
     refused = finished("run")
     assert refused.returncode == 2

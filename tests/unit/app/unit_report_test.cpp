@@ -87,6 +87,16 @@ TEST(UnitReportTest, TheHeartBeatsForCommonTimesOnly) {
   EXPECT_EQ(report.state({delivering(), delivering()}, clock).heartbeat, 1);
 }
 
+TEST(UnitReportTest, TheLossOfACameraIsNoExposure) {
+  const HeldClock clock;
+  UnitReport report(calibrated_unit(), clock.now());
+  report.take(Measurement{}, std::nullopt, clock);
+  EXPECT_FALSE(report.state({lost(), lost()}, clock).exposure_since_start);
+  report.take(with_pose(), std::nullopt, clock);
+  report.take(Measurement{}, std::nullopt, clock);
+  EXPECT_TRUE(report.state({lost(), lost()}, clock).exposure_since_start);
+}
+
 TEST(UnitReportTest, AVerdictWithoutAPoseIsSearching) {
   const HeldClock clock;
   UnitReport report(calibrated_unit(), clock.now());

@@ -156,6 +156,15 @@ TEST(ImageTest, AgeIsUnknownUntilThereHasBeenAPose) {
   EXPECT_EQ(u32_at(image_of(state), 108), 12'000U);
 }
 
+TEST(ImageTest, TheTimeOfExposureIsUnknownUntilThereHasBeenAPicture) {
+  UnitState state = unit_state();
+  state.exposure_since_start = state.pose_since_start = false;
+  EXPECT_EQ(bits_at(image_of(state), 104, 4), 0U);
+  EXPECT_EQ(bits_at(image_of(state), 204, 4), 0U);
+  state.exposure_since_start = true;
+  EXPECT_NE(bits_at(image_of(state), 104, 4), 0U);
+}
+
 TEST(ImageTest, PredictionThatDoesNotExistIsNotValid) {
   const RegisterImage image = image_of(unit_state());
   EXPECT_EQ(image[250], image[297]);

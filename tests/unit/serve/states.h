@@ -51,6 +51,7 @@ inline UnitState unit_state(const Measurement& measurement = position_measuremen
   state.started = time_from_ns(0);
   state.heartbeat = 41;
   state.newest = PublishedMeasurement{measurement, kUtcOffset};
+  state.exposure_since_start = true;
   state.pose_since_start = true;
   return state;
 }

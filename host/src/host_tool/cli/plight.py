@@ -1,7 +1,7 @@
 """What the unit is doing, as a person would tell it: which camera, what is missing, since when."""
 
 from host_tool.contract.blocks import Answer, Camera, Health
-from host_tool.contract.conditions import faults_in
+from host_tool.contract.conditions import Status, faults_in
 
 NOT_SEEN = {"not_seen_left": "left", "not_seen_right": "right"}
 
@@ -12,7 +12,7 @@ def doing(answer: Answer, health: Health) -> str:
     if state == "searching":
         return f"searching: {_missing(answer)}; {_since(answer)}"
     if state in ("starting", "camera_fault"):
-        return f"{state.replace('_', ' ')}: {_silent(health) or 'both cameras deliver, no verdict yet'}"
+        return f"{state.replace('_', ' ')}: {_silent(answer, health) or 'both cameras deliver, no verdict yet'}"
     if state == "no_calibration":
         return "no calibration: the cameras run, nothing is measured"
     return state.replace("_", " ")
@@ -39,9 +39,21 @@ def _since(answer: Answer) -> str:
     )
 
 
-def _silent(health: Health) -> str:
+def _silent(answer: Answer, health: Health) -> str:
     cameras = {"left": health.left, "right": health.right}
-    return ", ".join(f"the {side} camera {_lack(camera)}" for side, camera in cameras.items() if _lack(camera))
+    lacks = {side: _never_found(camera, side, answer) or _lack(camera) for side, camera in cameras.items()}
+    return ", ".join(f"the {side} camera {lack}" for side, lack in lacks.items() if lack)
+
+
+def _never_found(camera: Camera, side: str, answer: Answer) -> str:
+    """A real camera whose exposure is unknown has never been opened; of a recording's it is never known."""
+    real = not answer.state.status & Status.SIMULATED
+    if not (real and camera.state == "missing" and camera.exposure_us is None):
+        return ""
+    return (
+        f"has not been opened since the unit started (compare [cameras.{side}] with what `tripointd cameras` lists "
+        "there; the log names the cause)"
+    )
 
 
 def _lack(camera: Camera) -> str:

@@ -37,8 +37,8 @@ class Condition:
 
 REMEDIES: dict[str, str] = {
     "no_calibration": "calibrate, or set calibration.file in the configuration",
-    "left_camera_lost": "check its cable and power; measuring resumes by itself",
-    "right_camera_lost": "check its cable and power; measuring resumes by itself",
+    "left_camera_lost": "check cable, power and [cameras.left]; measuring resumes by itself",
+    "right_camera_lost": "check cable, power and [cameras.right]; measuring resumes by itself",
     "not_seen_left": "check line of sight, LED supply and exposure",
     "not_seen_right": "check line of sight, LED supply and exposure",
     "ambiguous": "cover other red lights and mirrors in view",
