@@ -50,7 +50,7 @@ std::string compared(std::string_view what, double measured, double limit, int d
 }
 
 std::string of_size(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
-  const double largest_px = std::max(settings.max_sigma_px, settings.max_sigma_of_width * width_px);
+  const double largest_px = largest_sigma_px(settings, width_px);
   const auto sigma_px = static_cast<double>(candidate.sigma_px);
   return compared("sigma", sigma_px, sigma_px < settings.min_sigma_px ? settings.min_sigma_px : largest_px, 2);
 }

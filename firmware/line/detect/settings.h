@@ -1,6 +1,8 @@
 // What counts as a red LED. Every default is a measured one; [detector] in the configuration may change it.
 #pragma once
 
+#include <algorithm>
+
 namespace tripoint {
 
 /// Strength is S = 3 Y + 4 V', V' being V interpolated in x: almost the red channel, and monotone also where V has a
@@ -30,7 +32,7 @@ struct LedDetectorSettings {
   double max_residual = 0.30;  ///< RMS of the fit over the amplitude
   double min_sigma_px = 0.85;  ///< rendered LEDs have 1.1 and more, a red hot pixel behind the demosaicing about 0.75
   double max_sigma_px = 4.0;
-  double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds
+  double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds: largest_sigma_px
   double weak_sigma_px = 0.10;        ///< of the centre measured on Y: above it S is measured instead of Y
   double weak_amplitude = 12.0;       ///< Y: below it S is measured instead of Y, and the spot is marked weak
   double min_amplitude = 20.0;        ///< S/4: below it the spot is refused
@@ -41,5 +43,10 @@ struct LedDetectorSettings {
   double floor_px = 0.10;        ///< standard deviation per axis of what the fit cannot see: demosaicing, chroma, shape
   double split_floor_px = 0.15;  ///< more of it where only the top of a spot stands alone, or S was measured
 };
+
+/// The largest sigma that a spot may have in a picture of this width, px.
+inline double largest_sigma_px(const LedDetectorSettings& settings, int width_px) {
+  return std::max(settings.max_sigma_px, settings.max_sigma_of_width * width_px);
+}
 
 }  // namespace tripoint

@@ -113,12 +113,18 @@ TEST(LightTest, ASpotAtTheCornerHasAHue) {
   EXPECT_NEAR(hue_of_flank(picture.view(), candidate), 0.42, 0.1);
 }
 
+// A green light: its flank has pixels and a colour, but none of them is redder than the surroundings.
 TEST(LightTest, WhereNothingIsRedThereIsNoHue) {
-  const YuyvPicture picture = developed(Painting(kSize, 0.02));
+  const YuyvPicture picture = with_light({.at = kPlace, .peak = 0.9, .color = {0.05, 1.0, 0.2}});
   Candidate candidate;
   candidate.at = kPlace;
-  candidate.surround_red = 140.0F;
+  candidate.radius_px = 3.0F;
+  candidate.peak = 900.0F;
+  candidate.contrast = 450.0F;
+  candidate.surround_red = 128.0F;
   EXPECT_EQ(hue_of_flank(picture.view(), candidate), 0.0);
+  candidate.surround_red = 0.0F;  // against which the same flank is redder
+  EXPECT_NE(hue_of_flank(picture.view(), candidate), 0.0);
 }
 
 TEST(LightTest, WhiteIsWhatATwentiethOfThePictureExceeds) {
