@@ -1,8 +1,10 @@
 #include "line/detect/spot_fit.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "line/detect/spot_profile.h"
@@ -20,7 +22,11 @@ constexpr int kFewestPixels = 12;
 constexpr double kDamping = 1e-3;
 constexpr double kLargestAmplitude = 20'000.0;
 
-/// Normal equations for (column A, row A, A, background, sigma A): scaling by the amplitude A keeps them balanced.
+/// Order of the parameters.
+enum Parameter : std::uint8_t { kAmplitude, kBackground, kSigma, kColumn, kRow };
+
+/// Normal equations for (A, background, sigma A, column A, row A): scaling by the amplitude A keeps them balanced, and
+/// the centre comes last because the last block of a Cholesky factor is that of the block's own covariance.
 struct Normal {
   Matrix5 matrix = Matrix5::Zero();
   Vector5 gradient = Vector5::Zero();
@@ -54,26 +60,26 @@ struct Accumulator {
   Floats4 visible{};
 
   void add(const RowSums& s, float e, float d, float q) {
-    matrix[0] += s.dd * (e * e);
-    matrix[1] += s.ed * (e * d);
-    matrix[2] += s.ed * (e * e);
-    matrix[3] += s.d * e;
-    matrix[4] += s.dq * (e * e) + s.ed * (e * q);
-    matrix[5] += s.ee * (d * d);
-    matrix[6] += s.ee * (d * e);
-    matrix[7] += s.e * d;
-    matrix[8] += s.eq * (d * e) + s.ee * (d * q);
-    matrix[9] += s.ee * (e * e);
-    matrix[10] += s.e * e;
-    matrix[11] += s.eq * (e * e) + s.ee * (e * q);
-    matrix[12] += s.w;
-    matrix[13] += s.q * e + s.e * q;
-    matrix[14] += s.qq * (e * e) + s.eq * (2.0F * e * q) + s.ee * (q * q);
-    gradient[0] += s.rd * e;
-    gradient[1] += s.re * d;
-    gradient[2] += s.re * e;
-    gradient[3] += s.r;
-    gradient[4] += s.rq * e + s.re * q;
+    matrix[0] += s.ee * (e * e);
+    matrix[1] += s.e * e;
+    matrix[2] += s.eq * (e * e) + s.ee * (e * q);
+    matrix[3] += s.ed * (e * e);
+    matrix[4] += s.ee * (d * e);
+    matrix[5] += s.w;
+    matrix[6] += s.q * e + s.e * q;
+    matrix[7] += s.d * e;
+    matrix[8] += s.e * d;
+    matrix[9] += s.qq * (e * e) + s.eq * (2.0F * e * q) + s.ee * (q * q);
+    matrix[10] += s.dq * (e * e) + s.ed * (e * q);
+    matrix[11] += s.eq * (d * e) + s.ee * (d * q);
+    matrix[12] += s.dd * (e * e);
+    matrix[13] += s.ed * (e * d);
+    matrix[14] += s.ee * (d * d);
+    gradient[0] += s.re * e;
+    gradient[1] += s.r;
+    gradient[2] += s.rq * e + s.re * q;
+    gradient[3] += s.rd * e;
+    gradient[4] += s.re * d;
     pixels += s.w;
   }
 
@@ -128,28 +134,27 @@ Normal normal_equations(const FitWindow& window, const SpotModel& model) {
 /// One damped step; each parameter may only move so far that a bad start cannot throw the spot away.
 SpotModel stepped(const SpotModel& model, const Vector5& scaled_step) {
   const double a = model.amplitude;
-  const double by_sigma = scaled_step(4) / a;
-  return {.column = model.column + std::clamp(scaled_step(0) / a, -0.7, 0.7),
-          .row = model.row + std::clamp(scaled_step(1) / a, -0.7, 0.7),
+  const double by_sigma = scaled_step(kSigma) / a;
+  return {.column = model.column + std::clamp(scaled_step(kColumn) / a, -0.7, 0.7),
+          .row = model.row + std::clamp(scaled_step(kRow) / a, -0.7, 0.7),
           .sigma_px = std::clamp(model.sigma_px + std::clamp(by_sigma, -0.35 * model.sigma_px, 0.5 * model.sigma_px),
                                  0.35, 24.0),
-          .amplitude = std::clamp(a + std::clamp(scaled_step(2), -0.6 * a, 1.5 * a), 1.0, kLargestAmplitude),
-          .background = model.background + scaled_step(3)};
+          .amplitude = std::clamp(a + std::clamp(scaled_step(kAmplitude), -0.6 * a, 1.5 * a), 1.0, kLargestAmplitude),
+          .background = model.background + scaled_step(kBackground)};
 }
 
 /// What the normal equations at a place next to the minimum say of the minimum: they differ only in the residuals, and
 /// there by what the step to it, times the gradient, takes off the sum of squares.
 /// Its covariance is that of the bare equations: damping would hide a direction that the pixels hardly tell.
 std::optional<SpotFit> fit_from(const Normal& normal, const SpotModel& model, const Vector5& scaled_step) {
-  const Eigen::LDLT<Matrix5> solver(normal.matrix);
-  if (!solver.isPositive() || solver.vectorD().minCoeff() <= 0.0) return std::nullopt;
-  Matrix2 inverse;
-  inverse << solver.solve(Vector5::Unit(0)).head<2>(), solver.solve(Vector5::Unit(1)).head<2>();
+  const Eigen::LLT<Matrix5> factor(normal.matrix);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  const Matrix2 of_center = factor.matrixLLT().bottomRightCorner<2, 2>().triangularView<Eigen::Lower>();
   const double squares = std::max(0.0, normal.squares - scaled_step.dot(normal.gradient));
   const double variance = squares / (normal.pixels - 5.0);
   const double per_px2 = variance / (model.amplitude * model.amplitude);
   SpotFit fit{.model = model,
-              .covariance_px2 = inverse * per_px2,
+              .covariance_px2 = (of_center * of_center.transpose()).inverse() * per_px2,
               .noise = std::sqrt(variance),
               .visible_amplitude = model.amplitude * normal.visible,
               .pixels = static_cast<int>(normal.pixels)};
@@ -162,7 +167,7 @@ Vector5 damped_step(const Normal& normal) {
   Matrix5 matrix = normal.matrix;
   matrix.diagonal() *= 1.0 + kDamping;
   matrix.diagonal().array() += 1e-9;
-  return matrix.ldlt().solve(normal.gradient);
+  return matrix.llt().solve(normal.gradient);
 }
 
 /// Moments of what rises above a threshold, row by row.
@@ -254,8 +259,7 @@ std::optional<SpotFit> fit_spot(const FitWindow& window, const SpotModel& start,
     if (normal.pixels < kFewestPixels) return std::nullopt;
     const Vector5 scaled_step = damped_step(normal);
     if (!scaled_step.allFinite()) return std::nullopt;
-    const double moved_px =
-        std::max(scaled_step.head<2>().cwiseAbs().maxCoeff(), std::abs(scaled_step(4))) / model.amplitude;
+    const double moved_px = scaled_step.tail<3>().cwiseAbs().maxCoeff() / model.amplitude;
     if (step > kMaxSteps) return fit_from(normal, model, Vector5::Zero());
     model = stepped(model, scaled_step);
     if (moved_px < settled_px) return fit_from(normal, model, scaled_step);
