@@ -12,8 +12,8 @@ namespace {
 constexpr double kRoughest = 3.0;  // steps: the unevenness that a slope of one step in 6 px makes in the ring
 constexpr double kOfNoise = 4.0;
 constexpr double kFewest = 32.0;  // pixels of a plane
-constexpr int kStep_px = 2;       // every second pixel of every fourth row: noise averages out over the ring
-constexpr int kRowStep = 2 * kStep_px;
+constexpr int kStep_px = 2;       // every second pixel of every sixth row: noise averages out over the ring
+constexpr int kRowStep = 3 * kStep_px;
 constexpr int kVector_px = 4 * kStep_px;
 
 /// A ring in the picture, and what of it belongs to the ground.

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <span>
 
+#include "line/detect/vectors.h"
+
 namespace tripoint {
 namespace {
 
@@ -32,10 +34,18 @@ double grain(const IsolatedSpot& spot, Channel channel) {
 /// Whether the slope is taken off before the fit.
 bool levels(const GroundPlane& ground, Channel channel) { return channel == Channel::kLuma && !ground.rough; }
 
-/// One row of luma without its ground, which starts at `ground` and rises by `slope` a column.
-void level(const std::uint8_t* lumas, double ground, double slope, std::span<float> values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = static_cast<float>(lumas[i]) - static_cast<float>(ground + slope * static_cast<double>(i));
+/// Luma of one row less its ground, which starts at `ground` and rises by `slope` a column; whole vectors.
+void level(const std::uint8_t* lumas, float ground, float slope, std::span<float> values) {
+  Floats4 rise = Floats4{0.0F, 1.0F, 2.0F, 3.0F} * slope + ground;
+  for (std::size_t i = 0; i < values.size(); i += 4, rise += 4.0F * slope) {
+    store(values.data() + i, floats_of(loaded<Bytes4>(lumas + i)) - rise);
+  }
+}
+
+/// A quarter of the strength of one row; whole vectors.
+void quarter(const std::int16_t* strengths, std::span<float> values) {
+  for (std::size_t i = 0; i < values.size(); i += 4) {
+    store(values.data() + i, 0.25F * floats_of(loaded<Shorts4>(strengths + i)));
   }
 }
 
@@ -52,67 +62,56 @@ void SpotMeasurer::frame(const IsolatedSpot& spot) {
   const auto center_column = static_cast<int>(std::lround(spot.area.column));
   const auto center_row = static_cast<int>(std::lround(spot.area.row));
   const SpotWindow::Part shown = spot.window.in_picture();
-  reach_ = std::clamp(static_cast<int>(std::ceil(kReach * spot.area.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
-  box_.left = std::max(shown.left, center_column - reach_);
-  box_.top = std::max(shown.top, center_row - reach_);
-  box_.right = std::min(shown.right, center_column + reach_);
-  box_.bottom = std::min(shown.bottom, center_row + reach_);
-}
-
-/// Calls `see(row, first column, last column)` for each row of the disc that the fit sees.
-template <typename See>
-void SpotMeasurer::for_each_row_of_disc(const IsolatedSpot& spot, See see) const {
-  const double reach2 = (reach_ + 0.5) * (reach_ + 0.5);
-  for (int row = box_.top; row <= box_.bottom; ++row) {
-    const double half2 = reach2 - (row - spot.area.row) * (row - spot.area.row);
-    if (half2 < 0.0) continue;
-    const double half = std::sqrt(half2);
-    see(row, std::max(box_.left, static_cast<int>(std::ceil(spot.area.column - half))),
-        std::min(box_.right, static_cast<int>(std::floor(spot.area.column + half))));
-  }
+  const int reach =
+      std::clamp(static_cast<int>(std::ceil(kReach * spot.area.radius_px() + 1.5)), 4, SpotWindow::kMaxHalf);
+  box_.left = std::max(shown.left, center_column - reach);
+  box_.top = std::max(shown.top, center_row - reach);
+  box_.right = std::min(shown.right, center_column + reach);
+  box_.bottom = std::min(shown.bottom, center_row + reach);
+  runs_.clear();
+  const Disc seen{.column = spot.area.column, .row = spot.area.row, .inner_px = -1.0, .outer_px = reach + 0.5};
+  for_each_run(box_, seen, [&](const Run& run) { runs_.push_back(run); });
 }
 
 void SpotMeasurer::note_clipped(const IsolatedSpot& spot) {
   clipped_.clear();
   own_clipped_pixels_ = 0;
   peak_luma_ = 0;
-  for_each_row_of_disc(spot, [&](int row, int first, int last) {
-    const std::size_t end = SpotWindow::index(last, row) + 1;
-    for (std::size_t i = SpotWindow::index(first, row); i < end; ++i) {
+  for (const Run& run : runs_) {
+    const std::size_t end = SpotWindow::index(run.last, run.row) + 1;
+    for (std::size_t i = SpotWindow::index(run.first, run.row); i < end; ++i) {
       const int luma = spot.window.luma(i);
       peak_luma_ = std::max(peak_luma_, luma);
       if (spot.window.strength(i) < settings_.hide_above && luma < settings_.luma_clip) continue;
       clipped_.push_back(static_cast<std::uint16_t>(i));
       own_clipped_pixels_ += spot.flood.holds(i) ? 1 : 0;
     }
-  });
+  }
 }
 
 /// Luma on level ground: what the slope of the ground explains is taken off.
 void SpotMeasurer::fill(const IsolatedSpot& spot, Channel channel) {
   fit_window_.resize(box_.right - box_.left + 1, box_.bottom - box_.top + 1);
-  const auto columns = static_cast<std::size_t>(fit_window_.columns());
+  const Vec2 slope = levels(spot.ground, channel) ? spot.ground.slope : Vec2(0.0, 0.0);
   for (int row = 0; row < fit_window_.rows(); ++row) {
     const std::size_t first = SpotWindow::index(box_.left, box_.top + row);
-    const std::span<float> values(fit_window_.values(row), columns);
-    if (levels(spot.ground, channel)) {
+    const std::span<float> values = fit_window_.whole_vectors(row);
+    if (channel == Channel::kLuma) {
       const Vec2 beside_px(box_.left - spot.area.column, box_.top + row - spot.area.row);
-      level(spot.window.lumas(first), spot.ground.slope.dot(beside_px), spot.ground.slope.x(), values);
-    } else if (channel == Channel::kLuma) {
-      level(spot.window.lumas(first), 0.0, 0.0, values);
+      level(spot.window.lumas(first), static_cast<float>(slope.dot(beside_px)), static_cast<float>(slope.x()), values);
     } else {
-      const std::int16_t* strengths = spot.window.strengths(first);
-      for (std::size_t i = 0; i < columns; ++i) values[i] = 0.25F * static_cast<float>(strengths[i]);
+      quarter(spot.window.strengths(first), values);
     }
+    std::fill(values.begin() + fit_window_.columns(), values.end(), 0.0F);
   }
-  show_disc(spot);
+  show_disc();
 }
 
-void SpotMeasurer::show_disc(const IsolatedSpot& spot) {
-  for_each_row_of_disc(spot, [&](int row, int first, int last) {
-    float* weights = fit_window_.weights(row - box_.top);
-    std::fill(weights + (first - box_.left), weights + (last - box_.left) + 1, 1.0F);
-  });
+void SpotMeasurer::show_disc() {
+  for (const Run& run : runs_) {
+    float* weights = fit_window_.weights(run.row - box_.top);
+    std::fill(weights + (run.first - box_.left), weights + (run.last - box_.left) + 1, 1.0F);
+  }
 }
 
 /// Demosaicing carries a clipped value into the neighbours: they are hidden too.
@@ -127,7 +126,7 @@ void SpotMeasurer::hide_clipped(const IsolatedSpot& spot, bool own_core) {
 /// each place in the mosaic's cell, which turns the misfit into an error of the centre; a disc that fades does not.
 /// How well the model fits stays what all pixels that show have said.
 SpotFit SpotMeasurer::fitted_with_fading_core(const IsolatedSpot& spot, const SpotFit& first) {
-  show_disc(spot);
+  show_disc();
   hide_clipped(spot, false);
   const double clipped_px = std::sqrt(own_clipped_pixels_ / std::numbers::pi);
   if (own_clipped_pixels_ > 0) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "line/detect/disc.h"
 #include "line/detect/flood.h"
 #include "line/detect/ground.h"
 #include "line/detect/settings.h"
@@ -44,10 +45,8 @@ class SpotMeasurer {
 
  private:
   void frame(const IsolatedSpot& spot);
-  template <typename See>
-  void for_each_row_of_disc(const IsolatedSpot& spot, See see) const;
   void fill(const IsolatedSpot& spot, Channel channel);
-  void show_disc(const IsolatedSpot& spot);
+  void show_disc();
   void note_clipped(const IsolatedSpot& spot);
   void hide_clipped(const IsolatedSpot& spot, bool own_core);
   [[nodiscard]] SpotFit fitted_with_fading_core(const IsolatedSpot& spot, const SpotFit& first);
@@ -56,8 +55,8 @@ class SpotMeasurer {
 
   LedDetectorSettings settings_;
   FitWindow fit_window_;
-  SpotWindow::Part box_;                                     ///< what the fit sees
-  int reach_ = 0;                                            ///< half its side before the picture's border cut it
+  SpotWindow::Part box_;                                     ///< what the fit sees,
+  FixedVector<Run, 2 * SpotWindow::kMaxHalf + 1> runs_;      ///< and of it the disc
   FixedVector<std::uint16_t, SpotWindow::kPixels> clipped_;  ///< window indices
   int own_clipped_pixels_ = 0;                               ///< those of the area
   int peak_luma_ = 0;

@@ -28,7 +28,7 @@ enum Parameter : std::uint8_t { kAmplitude, kBackground, kSigma, kColumn, kRow }
 /// Normal equations for (A, background, sigma A, column A, row A): scaling by the amplitude A keeps them balanced, and
 /// the centre comes last because the last block of a Cholesky factor is that of the block's own covariance.
 struct Normal {
-  Matrix5 matrix = Matrix5::Zero();
+  Matrix5 matrix = Matrix5::Zero();  ///< its lower half
   Vector5 gradient = Vector5::Zero();
   double squares = 0.0;
   double pixels = 0.0;
@@ -46,54 +46,66 @@ Floats4 clamped(Floats4 v) {
   return v < one ? v : one;
 }
 
+/// The sum of the lanes of each.
+Floats4 sums(Floats4 a, Floats4 b, Floats4 c, Floats4 d) {
+  const Floats4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Floats4 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5) + __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
 /// Sums over one row of products of the profile e and its derivatives d (centre) and q (sigma), and of weighted
 /// residuals r.
 struct RowSums {
   Floats4 w{}, e{}, d{}, q{}, ee{}, ed{}, eq{}, dd{}, dq{}, qq{}, r{}, re{}, rd{}, rq{};
 };
 
+/// The model is a product of one factor across and one down: sums over all pixels are sums over the rows of what a row
+/// says across, times the row's own e, d and q.
 struct Accumulator {
-  std::array<Floats4, 15> matrix{};  // upper triangle, row by row
-  std::array<Floats4, 5> gradient{};
+  Floats4 once{};                     // of (w, r)
+  Floats4 by_e{}, by_d{}, by_q{};     // of (e, d, q, re)
+  Floats4 by_ee{}, by_ed{}, by_eq{};  // of (ee, ed, eq, dd)
+  Floats4 by_ee_or_e{};               // of (dq, qq) and of (rd, rq)
+  Floats4 by_dd_dq_qq{};              // of ee each
   Floats4 squares{};
-  Floats4 pixels{};
   Floats4 visible{};
 
   void add(const RowSums& s, float e, float d, float q) {
-    matrix[0] += s.ee * (e * e);
-    matrix[1] += s.e * e;
-    matrix[2] += s.eq * (e * e) + s.ee * (e * q);
-    matrix[3] += s.ed * (e * e);
-    matrix[4] += s.ee * (d * e);
-    matrix[5] += s.w;
-    matrix[6] += s.q * e + s.e * q;
-    matrix[7] += s.d * e;
-    matrix[8] += s.e * d;
-    matrix[9] += s.qq * (e * e) + s.eq * (2.0F * e * q) + s.ee * (q * q);
-    matrix[10] += s.dq * (e * e) + s.ed * (e * q);
-    matrix[11] += s.eq * (d * e) + s.ee * (d * q);
-    matrix[12] += s.dd * (e * e);
-    matrix[13] += s.ed * (e * d);
-    matrix[14] += s.ee * (d * d);
-    gradient[0] += s.re * e;
-    gradient[1] += s.r;
-    gradient[2] += s.rq * e + s.re * q;
-    gradient[3] += s.rd * e;
-    gradient[4] += s.re * d;
-    pixels += s.w;
+    once += sums(s.w, s.r, s.w, s.r);
+    const Floats4 first = sums(s.e, s.d, s.q, s.re);
+    by_e += first * e;
+    by_d += first * d;
+    by_q += first * q;
+    const Floats4 second = sums(s.ee, s.ed, s.eq, s.dd);
+    by_ee += second * (e * e);
+    by_ed += second * (e * d);
+    by_eq += second * (e * q);
+    by_dd_dq_qq += second[0] * Floats4{d * d, d * q, q * q, 0.0F};
+    by_ee_or_e += sums(s.dq, s.qq, s.rd, s.rq) * Floats4{e * e, e * e, e, e};
   }
 
   [[nodiscard]] Normal total() const {
     Normal normal;
-    std::size_t k = 0;
-    for (int row = 0; row < 5; ++row) {
-      for (int column = row; column < 5; ++column) {
-        normal.matrix(row, column) = normal.matrix(column, row) = sum(matrix[k++]);
-      }
-      normal.gradient(row) = sum(gradient[static_cast<std::size_t>(row)]);
-    }
+    const auto set = [&](int row, int column, float value) { normal.matrix(row, column) = static_cast<double>(value); };
+    set(kAmplitude, kAmplitude, by_ee[0]);
+    set(kBackground, kAmplitude, by_e[0]);
+    set(kBackground, kBackground, once[0]);
+    set(kSigma, kAmplitude, by_ee[2] + by_eq[0]);
+    set(kSigma, kBackground, by_e[2] + by_q[0]);
+    set(kSigma, kSigma, by_ee_or_e[1] + 2.0F * by_eq[2] + by_dd_dq_qq[2]);
+    set(kColumn, kAmplitude, by_ee[1]);
+    set(kColumn, kBackground, by_e[1]);
+    set(kColumn, kSigma, by_ee_or_e[0] + by_eq[1]);
+    set(kColumn, kColumn, by_ee[3]);
+    set(kRow, kAmplitude, by_ed[0]);
+    set(kRow, kBackground, by_d[0]);
+    set(kRow, kSigma, by_ed[2] + by_dd_dq_qq[1]);
+    set(kRow, kColumn, by_ed[1]);
+    set(kRow, kRow, by_dd_dq_qq[0]);
+    const Eigen::Matrix<float, 5, 1> gradient{by_e[3], once[1], by_ee_or_e[3] + by_q[3], by_ee_or_e[2], by_d[3]};
+    normal.gradient = gradient.cast<double>();
     normal.squares = sum(squares);
-    normal.pixels = sum(pixels);
+    normal.pixels = static_cast<double>(once[0]);
     for (int i = 0; i < 4; ++i) normal.visible = std::max(normal.visible, static_cast<double>(visible[i]));
     return normal;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "values/linear.h"
 
@@ -18,6 +19,8 @@ class FitWindow {
   void resize(int columns, int rows);
   [[nodiscard]] float* values(int row) { return values_.data() + index(0, row); }
   [[nodiscard]] float* weights(int row) { return weights_.data() + index(0, row); }
+  /// A row's values up to the end of its last vector of 4; those beyond its columns have to stay 0.
+  [[nodiscard]] std::span<float> whole_vectors(int row) { return {values(row), stride_}; }
   void set(int column, int row, float value, float weight) {
     values_[index(column, row)] = value;
     weights_[index(column, row)] = weight;

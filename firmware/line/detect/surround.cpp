@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "line/detect/disc.h"
+
 namespace tripoint {
 namespace {
 
@@ -47,41 +49,13 @@ class Histogram {
 constexpr int kStrengthBin = 4;  // S: fine enough against a contrast of 45 and more
 using StrengthHistogram = Histogram<7 * 255 / kStrengthBin + 1>;
 
-struct Disc {
-  double column = 0.0;
-  double row = 0.0;
-  double inner_px = 0.0;  ///< negative for no hole
-  double outer_px = 0.0;
-};
-
-/// Half the length of a row's part within a circle, -1 when the row misses it.
-double half_chord(double radius_px, double distance_px) {
-  const double rest = radius_px * radius_px - distance_px * distance_px;
-  return radius_px < 0.0 || rest < 0.0 ? -1.0 : std::sqrt(rest);
-}
-
 /// Calls `see` with the index of each pixel of the picture whose distance is within the disc.
 template <typename See>
 void for_each_pixel(const SpotWindow& window, const Disc& disc, See see) {
-  const SpotWindow::Part shown = window.in_picture();
-  const int top = std::max(shown.top, static_cast<int>(std::ceil(disc.row - disc.outer_px)));
-  const int bottom = std::min(shown.bottom, static_cast<int>(std::floor(disc.row + disc.outer_px)));
-  for (int row = top; row <= bottom; ++row) {
-    const auto see_columns = [&](int first, int last) {
-      const std::size_t start = SpotWindow::index(0, row);
-      for (int column = first; column <= last; ++column) see(start + static_cast<std::size_t>(column));
-    };
-    const double outer = half_chord(disc.outer_px, row - disc.row);
-    const double inner = half_chord(disc.inner_px, row - disc.row);
-    const int left = std::max(shown.left, static_cast<int>(std::ceil(disc.column - outer)));
-    const int right = std::min(shown.right, static_cast<int>(std::floor(disc.column + outer)));
-    if (inner < 0.0) {
-      see_columns(left, right);
-    } else {
-      see_columns(left, std::min(right, static_cast<int>(std::floor(disc.column - inner))));
-      see_columns(std::max(left, static_cast<int>(std::ceil(disc.column + inner))), right);
-    }
-  }
+  for_each_run(window.in_picture(), disc, [&](const Run& run) {
+    const std::size_t start = SpotWindow::index(0, run.row);
+    for (int column = run.first; column <= run.last; ++column) see(start + static_cast<std::size_t>(column));
+  });
 }
 
 }  // namespace

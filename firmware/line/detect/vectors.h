@@ -11,6 +11,8 @@ static_assert(std::endian::native == std::endian::little, "bytes are picked out 
 
 using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
 using Bytes8 = std::uint8_t __attribute__((vector_size(8)));
+using Bytes4 = std::uint8_t __attribute__((vector_size(4)));
+using Shorts4 = std::int16_t __attribute__((vector_size(8)));
 using Shorts8 = std::uint16_t __attribute__((vector_size(16)));
 using Words4 = std::uint32_t __attribute__((vector_size(16)));
 using Longs2 = std::uint64_t __attribute__((vector_size(16)));
@@ -31,6 +33,11 @@ void store(void* to, Vector value) {
 inline Bytes8 narrowed(Shorts8 v) {
   const auto bytes = reinterpret_cast<Bytes16>(v);
   return __builtin_shufflevector(bytes, bytes, 0, 2, 4, 6, 8, 10, 12, 14);
+}
+/// By way of integers, for which there are instructions.
+template <typename Integers>
+Floats4 floats_of(Integers v) {
+  return __builtin_convertvector(__builtin_convertvector(v, Ints4), Floats4);
 }
 inline Bytes16 larger(Bytes16 a, Bytes16 b) { return a > b ? a : b; }
 /// a - b, but not below 0.
