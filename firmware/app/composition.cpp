@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -14,10 +15,10 @@
 #include "app/unit_setup.h"
 #include "app/version.h"
 #include "capture/camera_worker.h"
+#include "devices/realtime.h"
 #include "devices/system_clock.h"
 #include "line/detect/led_detector.h"
 #include "net/modbus_server.h"
-#include "net/realtime.h"
 #include "serve/publication.h"
 #include "serve/responder.h"
 
@@ -26,6 +27,7 @@ namespace {
 
 constexpr std::size_t kQueuedEvents = 16;                   // a quarter of a second of both cameras
 constexpr int kModbusPriority = 50;                         // below the kernel's own interrupt threads
+constexpr int kMeasuringPriority = 49;                      // clients read even while the line works
 constexpr auto kFarewell = std::chrono::milliseconds(250);  // two polls of the slowest client that registers.md names
 
 DetectPoints led_detection(const DetectorConfig& config) {
@@ -59,11 +61,21 @@ Result<ModbusSettings> modbus_settings(const ModbusConfig& config) {
   return settings;
 }
 
-void serve_modbus(ModbusServer& server, const std::stop_token& stop) {
-  if (const Result<void> priority = take_realtime_priority(kModbusPriority); !priority) {
-    spdlog::info("modbus: {}", priority.error().message);
+/// Where it is not permitted the thread runs on as it is, and the log says so.
+void ask_for_priority(std::string_view thread, int priority) {
+  if (const Result<void> granted = take_realtime_priority(priority); !granted) {
+    spdlog::info("{}: {}", thread, granted.error().message);
   }
+}
+
+void serve_modbus(ModbusServer& server, const std::stop_token& stop) {
+  ask_for_priority("modbus", kModbusPriority);
   server.run(stop);
+}
+
+void measure(Measuring& measuring, const std::stop_token& stop) {
+  ask_for_priority("measuring", kMeasuringPriority);
+  measuring.run(stop);
 }
 
 /// Everything that the threads share; it outlives them.
@@ -111,7 +123,7 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
                       fits_calibration(setup->calibration, config.cameras.source), std::move(report));
 
   const std::jthread modbus([&server](const std::stop_token& token) { serve_modbus(*server, token); });
-  std::jthread measuring_thread([&measuring](const std::stop_token& token) { measuring.run(token); });
+  std::jthread measuring_thread([&measuring](const std::stop_token& token) { measure(measuring, token); });
   std::jthread left_thread([&left](const std::stop_token& token) { left.run(token); });
   std::jthread right_thread([&right](const std::stop_token& token) { right.run(token); });
   until_stop();

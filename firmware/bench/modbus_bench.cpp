@@ -10,8 +10,8 @@
 
 #include "bench/figure.h"
 #include "bench/modbus_load.h"
+#include "devices/realtime.h"
 #include "net/modbus_server.h"
-#include "net/realtime.h"
 
 namespace tripoint::bench {
 namespace {

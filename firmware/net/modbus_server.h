@@ -59,7 +59,7 @@ class ModbusServer {
   ModbusServer& operator=(ModbusServer&&) noexcept;
   ~ModbusServer();
 
-  /// Serves until `stop` is requested; called by one thread, which asks for real-time priority itself (realtime.h).
+  /// Serves until `stop` is requested; called by one thread.
   void run(const std::stop_token& stop);
 
   [[nodiscard]] std::uint16_t port() const;

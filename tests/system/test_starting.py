@@ -1,5 +1,6 @@
 """Starting, refusing to start, and stopping."""
 
+import os
 import re
 import signal
 import subprocess
@@ -27,6 +28,20 @@ def broken(tmp_path: Path) -> Path:
     copy = tmp_path / "broken.toml"
     copy.write_text(CONFIG.read_text(encoding="utf-8"), encoding="utf-8")
     return copy
+
+
+def test_the_threads_that_are_waited_for_have_real_time_priority(tmp_path: Path) -> None:
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    except PermissionError:
+        pytest.skip("real-time priority is not permitted here")
+    with daemon(tmp_path / "log") as unit:
+        threads = [int(task.name) for task in Path(f"/proc/{unit.process.pid}/task").iterdir()]
+        urgent = [
+            os.sched_getparam(each).sched_priority for each in threads if os.sched_getscheduler(each) == os.SCHED_FIFO
+        ]
+    assert len(urgent) == 2, "measuring and Modbus, and no camera: detection may take as long as a picture"
 
 
 def test_the_demos_configuration_is_valid() -> None:

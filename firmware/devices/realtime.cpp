@@ -1,4 +1,4 @@
-#include "net/realtime.h"
+#include "devices/realtime.h"
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -14,8 +14,7 @@ Result<void> take_realtime_priority(int priority) {
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   if (error == 0) return {};
   return failure(ErrorCode::kControlRefused,
-                 fmt::format("modbus: no real-time priority ({}); answers may wait under load; grant LimitRTPRIO or "
-                             "CAP_SYS_NICE",
+                 fmt::format("no real-time priority ({}); it may wait under load; grant LimitRTPRIO or CAP_SYS_NICE",
                              std::generic_category().message(error)));
 }
 

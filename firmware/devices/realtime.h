@@ -1,4 +1,6 @@
-// Real-time priority for the thread that answers: under full vision load it keeps answers below a millisecond.
+// Real-time priority for the threads that work briefly and are waited for: the one that answers, the one that measures.
+//
+// The kernel lets an ordinary thread that was woken wait until the one that woke it has had its share: milliseconds.
 #pragma once
 
 #include "values/result.h"
