@@ -46,7 +46,7 @@ std::uint64_t hash_of(const Picture& picture) {
   const std::size_t row_bytes = static_cast<std::size_t>(picture.size.width_px) * picture.luma.step_bytes;
   Hash hash;
   for (int y = 0; y < picture.size.height_px; ++y) {
-    hash.add({picture.luma.data + static_cast<std::size_t>(y) * picture.luma.stride_bytes, row_bytes});
+    hash.add({picture.luma.row(y), row_bytes});
   }
   return hash.value(picture.size);
 }

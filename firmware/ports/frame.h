@@ -33,9 +33,8 @@ struct Plane {
   std::size_t stride_bytes = 0;
   std::size_t step_bytes = 1;
 
-  [[nodiscard]] std::uint8_t at(int x, int y) const {
-    return data[static_cast<std::size_t>(y) * stride_bytes + static_cast<std::size_t>(x) * step_bytes];
-  }
+  [[nodiscard]] const std::uint8_t* row(int y) const { return data + static_cast<std::size_t>(y) * stride_bytes; }
+  [[nodiscard]] std::uint8_t at(int x, int y) const { return row(y)[static_cast<std::size_t>(x) * step_bytes]; }
 };
 
 /// Rows of a picture, from side to side.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "line/detect/vectors.h"
+
 namespace tripoint {
 namespace {
 
@@ -15,10 +17,30 @@ bool in_picture(const Picture& picture, int u_px, int v_px) {
   return u_px >= 0 && v_px >= 0 && u_px < picture.size.width_px && v_px < picture.size.height_px;
 }
 
+constexpr int kReach = 2;  ///< columns and rows to every side in which the brightest is sought
+
+/// Whether the rows around the start can be read four pairs at a time. A pair is one word: Y0 U Y1 V.
+bool in_pairs(const Picture& picture, PixelPlace start) {
+  return picture.interleaved_yuyv && start.u_px % 2 == 0 && start.u_px >= kReach &&
+         start.u_px - kReach + 8 <= picture.size.width_px && start.v_px >= kReach &&
+         start.v_px + kReach < picture.size.height_px;
+}
+
+int brightest_of_pairs(const Picture& picture, PixelPlace start) {
+  Shorts8 brightest{};
+  for (int v = start.v_px - kReach; v <= start.v_px + kReach; ++v) {
+    const auto pairs = loaded<Words4>(picture.luma.row(v) + 2 * (start.u_px - kReach));
+    const auto luma = reinterpret_cast<Shorts8>(pairs & 0x00FF00FFU);
+    const Words4 red = pairs >> 24U;
+    brightest = larger(brightest, luma + luma + luma + 4 * reinterpret_cast<Shorts8>(red | red << 16U));
+  }
+  return std::max({brightest[0], brightest[1], brightest[2], brightest[3], brightest[4]});
+}
+
 }  // namespace
 
 int brightest_near(const Picture& picture, PixelPlace start) {
-  constexpr int kReach = 2;
+  if (in_pairs(picture, start)) return brightest_of_pairs(picture, start);
   const int left = std::max(start.u_px - kReach, 0);
   const int right = std::min(start.u_px + kReach, picture.size.width_px - 1);
   const int bottom = std::min(start.v_px + kReach, picture.size.height_px - 1);

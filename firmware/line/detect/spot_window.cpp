@@ -26,7 +26,7 @@ void SpotWindow::load_row(const Picture& picture, int row) {
     return;
   }
   if (picture.interleaved_yuyv && left_px_ >= 2 && left_px_ + 8 * ((columns_ + 7) / 8) + 2 <= picture.size.width_px) {
-    const std::uint8_t* yuyv = picture.luma.data + static_cast<std::size_t>(v_px) * picture.luma.stride_bytes;
+    const std::uint8_t* yuyv = picture.luma.row(v_px);
     for (int column = 0; column < columns_; column += 8) {
       load_eight(yuyv + 2 * (left_px_ + column), first + static_cast<std::size_t>(column));
     }
@@ -63,8 +63,8 @@ void SpotWindow::load_pair(const Picture& picture, std::size_t i, int u_px, int 
     return;
   }
   const int chroma_row = picture.chroma_rows_halved ? v_px / 2 : v_px;
-  const std::uint8_t* lumas = picture.luma.data + static_cast<std::size_t>(v_px) * picture.luma.stride_bytes;
-  const std::uint8_t* reds = picture.v.data + static_cast<std::size_t>(chroma_row) * picture.v.stride_bytes;
+  const std::uint8_t* lumas = picture.luma.row(v_px);
+  const std::uint8_t* reds = picture.v.row(chroma_row);
   const int pair = u_px / 2;
   const int own = reds[pair * kRedStep];
   const int before = reds[std::max(pair - 1, 0) * kRedStep];

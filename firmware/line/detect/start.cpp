@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "line/detect/vectors.h"
+
 namespace tripoint {
 namespace {
 
@@ -49,28 +51,56 @@ void for_each_red(const Picture& picture, int column, int row, See see) {
   const int right = std::min((column + 1) * CoarseMap::kCellPx, picture.size.width_px);
   const int bottom = std::min((row + 1) * CoarseMap::kCellPx, picture.size.height_px);
   for (int v = row * CoarseMap::kCellPx; v < bottom; v += step) {
-    const std::uint8_t* reds = picture.v.data + static_cast<std::size_t>(v / step) * picture.v.stride_bytes;
+    const std::uint8_t* reds = picture.v.row(v / step);
     for (int u = column * CoarseMap::kCellPx; u < right; u += 2) {
       see(u, v, reds[static_cast<std::size_t>(u / 2) * picture.v.step_bytes]);
     }
   }
 }
 
-}  // namespace
-
-PixelPlace reddest_of_cell(const Picture& picture, const CoarseMap& map, const Cell& cell) {
-  const Cell fine = finest(map, cell);
-  const int column = fine.u_px / CoarseMap::kCellPx;
-  const int row = fine.v_px / CoarseMap::kCellPx;
-  const int largest = map.levels().front().row(row)[column];
+/// Of the samples whose V is `largest` the first with the most luma; the cell's corner if there is none.
+PixelPlace brightest_of_reddest(const Picture& picture, const Cell& fine, int largest) {
   PixelPlace reddest{fine.u_px, fine.v_px};
   int brightest = -1;
-  for_each_red(picture, column, row, [&](int u, int v, int red) {
+  for_each_red(picture, fine.u_px / CoarseMap::kCellPx, fine.v_px / CoarseMap::kCellPx, [&](int u, int v, int red) {
     if (red != largest || picture.luma.at(u, v) <= brightest) return;
     brightest = picture.luma.at(u, v);
     reddest = {u, v};
   });
   return reddest;
+}
+
+/// The same of a whole cell, a row of its four samples at a time. A sample is one word: Y0 U Y1 V.
+PixelPlace brightest_of_reddest_yuyv(const Picture& picture, const Cell& fine, int largest) {
+  constexpr Words4 kRankInRow{4, 3, 2, 1};  // the first of equals has the highest
+  Words4 best{};
+  const std::uint8_t* yuyv = picture.luma.row(fine.v_px) + 2 * static_cast<std::size_t>(fine.u_px);
+  for (std::uint32_t rows_left = CoarseMap::kCellPx; rows_left > 0; --rows_left) {
+    const auto samples = loaded<Words4>(yuyv);
+    const Words4 rank = (samples & 0xFFU) << 8U | (kRankInRow + 8 * (rows_left - 1));
+    const auto is_reddest = reinterpret_cast<Words4>(samples >> 24U == static_cast<std::uint32_t>(largest));
+    best = larger(best, rank & is_reddest);
+    yuyv += picture.luma.stride_bytes;
+  }
+  const std::uint32_t rank = std::max(std::max(best[0], best[1]), std::max(best[2], best[3])) & 0xFFU;
+  if (rank == 0) return {fine.u_px, fine.v_px};
+  const auto column = static_cast<int>(4 - rank % 8);
+  const auto row = static_cast<int>(CoarseMap::kCellPx - 1 - rank / 8);
+  return {fine.u_px + 2 * column, fine.v_px + row};
+}
+
+bool whole(const Picture& picture, const Cell& fine) {
+  return fine.u_px + CoarseMap::kCellPx <= picture.size.width_px &&
+         fine.v_px + CoarseMap::kCellPx <= picture.size.height_px;
+}
+
+}  // namespace
+
+PixelPlace reddest_of_cell(const Picture& picture, const CoarseMap& map, const Cell& cell) {
+  const Cell fine = finest(map, cell);
+  const int largest = map.levels().front().row(fine.v_px / CoarseMap::kCellPx)[fine.u_px / CoarseMap::kCellPx];
+  return picture.interleaved_yuyv && whole(picture, fine) ? brightest_of_reddest_yuyv(picture, fine, largest)
+                                                          : brightest_of_reddest(picture, fine, largest);
 }
 
 std::optional<PixelPlace> reddest_beside(const Picture& picture, const CoarseMap& map, const Candidate& spot,

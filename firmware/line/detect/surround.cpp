@@ -103,8 +103,8 @@ int background_of(const SpotWindow& window) {
 
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak) {
   const double contrast = peak - around.strength;
-  const double low = around.strength + 0.12 * contrast;
-  const double high = around.strength + 0.85 * contrast;
+  const auto low = static_cast<int>(std::ceil(around.strength + 0.12 * contrast));
+  const auto high = static_cast<int>(std::floor(around.strength + 0.85 * contrast));
   int pixels = 0;
   int red = 0;
   int luma = 0;

@@ -39,7 +39,10 @@ template <typename Integers>
 Floats4 floats_of(Integers v) {
   return __builtin_convertvector(__builtin_convertvector(v, Ints4), Floats4);
 }
-inline Bytes16 larger(Bytes16 a, Bytes16 b) { return a > b ? a : b; }
+template <typename Vector>
+Vector larger(Vector a, Vector b) {
+  return a > b ? a : b;
+}
 /// a - b, but not below 0.
 inline Bytes16 minus(Bytes16 a, Bytes16 b) { return larger(a, b) - b; }
 inline bool any(Bytes16 mask) {
