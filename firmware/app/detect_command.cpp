@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "app/detector_settings.h"
 #include "app/exit_code.h"
@@ -14,6 +15,7 @@
 #include "explain/png_encoder.h"
 #include "explain/why.h"
 #include "line/detect/led_detector.h"
+#include "line/detect/sphere_detector.h"
 
 namespace tripoint {
 namespace {
@@ -30,7 +32,7 @@ ordered_json as_json(const ImagePoint& point) {
           {"saturated", point.saturated}};
 }
 
-ordered_json as_json(const CandidateLog& log, const LedDetectorSettings& settings, int width_px) {
+ordered_json as_json(const CandidateLog& log, const DetectorSettings& settings, int width_px) {
   ordered_json candidates = ordered_json::array();
   for (const Candidate& candidate : log) {
     candidates.push_back({{"number", candidates.size() + 1},
@@ -49,10 +51,33 @@ Result<std::filesystem::path> write_explanation(const Explained& explained, cons
   });
 }
 
+/// The detector that the configuration chooses.
+class ChosenDetector {
+ public:
+  explicit ChosenDetector(const DetectorSettings& settings) : detector_(detector_of(settings)) {}
+
+  Detection detect(const Picture& picture) {
+    if (auto* const spheres = std::get_if<SphereDetector>(&detector_)) return spheres->detect(picture);
+    return std::get<LedDetector>(detector_).detect(picture, Forecast{});
+  }
+  [[nodiscard]] const CandidateLog& candidates() const {
+    return std::visit([](const auto& detector) -> const CandidateLog& { return detector.candidates(); }, detector_);
+  }
+
+ private:
+  using Either = std::variant<LedDetector, SphereDetector>;
+  static Either detector_of(const DetectorSettings& settings) {
+    if (const auto* const sphere = std::get_if<SphereSettings>(&settings)) return SphereDetector(*sphere);
+    return LedDetector(std::get<LedDetectorSettings>(settings));
+  }
+
+  Either detector_;
+};
+
 /// Looks at one image after the other.
 class PictureReader {
  public:
-  PictureReader(const LedDetectorSettings& settings, std::optional<ExplanationFolder> folder)
+  PictureReader(const DetectorSettings& settings, std::optional<ExplanationFolder> folder)
       : settings_(settings), detector_(settings), folder_(std::move(folder)) {}
 
   ordered_json line_for(const std::filesystem::path& image) {
@@ -63,7 +88,7 @@ class PictureReader {
     }
     const Picture& picture = loaded->picture();
     const bool coloured = picture.v.data != nullptr;  // a grey picture shows no red light
-    const Detection detection = coloured ? detector_.detect(picture, Forecast{}) : Detection{};
+    const Detection detection = coloured ? detector_.detect(picture) : Detection{};
     ordered_json points = ordered_json::array();
     for (const ImagePoint& point : detection.points) points.push_back(as_json(point));
     ordered_json line = {{"image", image.string()}, {"points", points}};
@@ -88,8 +113,8 @@ class PictureReader {
     }
   }
 
-  LedDetectorSettings settings_;
-  LedDetector detector_;
+  DetectorSettings settings_;
+  ChosenDetector detector_;
   std::optional<ExplanationFolder> folder_;
   int code_ = number(ExitCode::kWell);
 };
@@ -104,11 +129,13 @@ Result<std::optional<ExplanationFolder>> folder_of(const DetectOptions& options)
 }  // namespace
 
 int detect_command(const DetectOptions& options) {
-  const Result<Config> config = options.config.empty() ? Result<Config>(Config{}) : load_config(options.config, {});
+  Result<Config> config = options.config.empty() ? Result<Config>(Config{}) : load_config(options.config, {});
   if (!config) return report(config.error());
+  if (options.detector == "led") config->detector.kind = ConfiguredDetector::kLed;
+  if (options.detector == "sphere") config->detector.kind = ConfiguredDetector::kSphere;
   Result<std::optional<ExplanationFolder>> folder = folder_of(options);
   if (!folder) return report(folder.error());
-  PictureReader reader(led_detector_settings(config->detector), std::move(*folder));
+  PictureReader reader(detector_settings(config->detector), std::move(*folder));
   for (const std::filesystem::path& image : options.images) {
     fmt::print("{}\n", reader.line_for(image).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
   }

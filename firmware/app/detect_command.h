@@ -2,13 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace tripoint {
 
 struct DetectOptions {
   std::vector<std::filesystem::path> images;
-  std::filesystem::path config;   ///< gives [detector]; empty: the defaults
+  std::filesystem::path config;  ///< gives [detector]; empty: the defaults
+  std::string detector;  ///< "led" or "sphere", with its defaults where [detector] is of another; empty: as there
   std::filesystem::path explain;  ///< folder for an image of each picture that shows why; empty: none
 };
 

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "config/config.h"
-#include "line/detect/settings.h"
+#include "line/detect/detector_settings.h"
 
 namespace tripoint {
 
 LedDetectorSettings led_detector_settings(const DetectorConfig& config);
+SphereSettings sphere_settings(const DetectorConfig& config);
+/// Of the detector that is chosen.
+DetectorSettings detector_settings(const DetectorConfig& config);
 
 }  // namespace tripoint

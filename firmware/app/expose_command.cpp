@@ -10,6 +10,7 @@
 #include "app/camera_supply.h"
 #include "app/exit_code.h"
 #include "app/exposure_sight.h"
+#include "app/unit_setup.h"
 #include "config/edited_config.h"
 #include "config/target_file.h"
 #include "devices/system_clock.h"
@@ -183,6 +184,7 @@ int expose_command(const ExposeOptions& options) {
   if (config->cameras.source == CameraSource::kRecording) {
     return report({ErrorCode::kMismatch, "cameras.source is \"recording\": its exposure was chosen when it was made"});
   }
+  if (const Result<void> detector = check_detector(*config); !detector) return report(detector.error());
   if (options.write) {  // before anyone is asked to hold a target
     if (const auto file = editable_file(options.config); !file) return report(file.error());
   }

@@ -31,7 +31,6 @@ struct Arguments {
   std::filesystem::path config;
   std::vector<std::string> overrides;
   DetectOptions detect;
-  std::string detector = "led";
   bool json = false;
   ReplayOptions replay;
   ExposeOptions expose;
@@ -87,13 +86,12 @@ void describe_exposing(CLI::App& app, Arguments& arguments) {
 
 void describe_pictures(CLI::App& app, Arguments& arguments) {
   DetectOptions& options = arguments.detect;
-  CLI::App* detect =
-      app.add_subcommand("detect", "Prints the red LEDs that the detector finds in pictures, one JSON line each.");
+  CLI::App* detect = app.add_subcommand(
+      "detect", "Prints the red LEDs, or spheres, that the detector finds in pictures, one JSON line each.");
   detect->add_option("images", options.images, "JPEG or PNG files")->type_name("IMAGE")->required();
-  detect->add_option("--detector", arguments.detector, "what to look for")
+  detect->add_option("--detector", options.detector, "what to look for: led or sphere; default: as configured, or led")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"led"}))
-      ->capture_default_str();
+      ->check(CLI::IsMember({"led", "sphere"}));
   detect->add_option("--config", options.config, "configuration file, for its [detector]; default: all defaults")
       ->type_name("FILE");
   detect

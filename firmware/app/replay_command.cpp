@@ -69,7 +69,8 @@ Result<Replay> prepared(const ReplayOptions& options) {
   Replay replay;
   if (!options.config.empty()) {
     Result<Config> config = load_config(options.config, {});
-    if (!config) return tl::make_unexpected(config.error());
+    const Result<void> usable = config.and_then(check_detector);
+    if (!usable) return tl::make_unexpected(usable.error());
     replay.config = std::move(*config);
   }
   const Result<Calibration> calibration = load_calibration(options.calibration);

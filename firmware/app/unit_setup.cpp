@@ -91,6 +91,14 @@ Result<void> check_size(const Config& config, const Calibration& calibration) {
 
 }  // namespace
 
+Result<void> check_detector(const Config& config) {
+  if (config.detector.kind == ConfiguredDetector::kLed) return {};
+  return tl::make_unexpected(
+      named_by(config, "detector.kind",
+               {ErrorCode::kMismatch,
+                R"("sphere" is for single pictures, with `tripointd detect`: to measure or expose set "led")"}));
+}
+
 Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config) {
   const Result<Target> points = points_of(target);
   if (!points) return tl::make_unexpected(points.error());
@@ -109,6 +117,7 @@ Result<LineModel> line_model(const Calibration& calibration, const TargetFile& t
 }
 
 Result<UnitSetup> unit_setup(const Config& config) {
+  if (const Result<void> detector = check_detector(config); !detector) return tl::make_unexpected(detector.error());
   const Result<TargetFile> target =
       config.target_file.empty() ? Result<TargetFile>(single_led()) : load_target(config.target_file);
   if (!target) return tl::make_unexpected(named_by(config, "target.file", target.error()));

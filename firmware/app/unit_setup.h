@@ -25,8 +25,14 @@ struct UnitSetup {
 
 /// Loads the files that the configuration names and checks that they belong together.
 ///
-/// @return the error of the file that is missing or wrong; kMismatch when the target needs another detector
+/// @return the error of the file that is missing or wrong; kMismatch when the target or the configuration needs another
+/// detector
 Result<UnitSetup> unit_setup(const Config& config);
+
+/// Whether the line can measure with the detector that is configured.
+///
+/// @return kMismatch for spheres: they are found in single pictures only
+Result<void> check_detector(const Config& config);
 
 /// The model of the line for a calibration and a target, with the limits and the volume of a configuration.
 ///

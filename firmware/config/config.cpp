@@ -35,10 +35,10 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   config.calibration_file = file_from(root.table("calibration"), folder);
   config.recording = recording_from(root.table("recording"), folder, config.cameras.source);
   config.detector = detector_from(root.table("detector"));
-  if (config.cameras.format == ConfiguredFormat::kGrey && config.detector.kind == ConfiguredDetector::kLed) {
+  if (config.cameras.format == ConfiguredFormat::kGrey) {
     root.table("cameras").refuse("format",
-                                 "red LEDs cannot be told from other lights without colour: permitted for "
-                                 "detector.kind \"led\" is \"yuyv\" or \"mjpeg\"");
+                                 "red LEDs and spheres cannot be told from other things without colour: permitted "
+                                 "is \"yuyv\" or \"mjpeg\"");
   }
   config.target_file = file_from(root.table("target"), folder);
   config.volume = volume_from(root.table("volume"));

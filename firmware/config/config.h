@@ -22,7 +22,7 @@ enum class CameraSource : std::uint8_t { kV4l2, kSimulation, kRecording };
 enum class ConfiguredFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
 enum class ConfiguredFrame : std::uint8_t { kReference, kLeftCamera };
 enum class ConfiguredMethod : std::uint8_t { kMaximumLikelihood, kPaper };
-enum class ConfiguredDetector : std::uint8_t { kLed };
+enum class ConfiguredDetector : std::uint8_t { kLed, kSphere };
 enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume };
 
 /// Which camera is the left or the right one; "" = not asked for. `device` overrides both.
@@ -49,12 +49,16 @@ struct RecordingConfig {
   std::filesystem::path folder;
 };
 
-/// The names and units of LedDetectorSettings.
+/// The names and units of LedDetectorSettings and of SphereSettings; those of the kind are read.
 struct DetectorConfig {
   ConfiguredDetector kind = ConfiguredDetector::kLed;
   int min_peak = 780;
   int min_contrast = 45;
   double min_emission = 0.0;
+  double min_radius_px = 10.0;
+  double max_radius_px = 120.0;
+  double min_redness = 0.4;
+  double min_fill = 0.5;
 };
 
 /// The working volume in the output frame.

@@ -14,7 +14,7 @@ namespace tripoint {
 namespace {
 
 constexpr int kSide_px = kCloseUpSize.width_px;
-constexpr std::array<int, 3> kZooms{8, 4, 2};  ///< without remainder in kSide_px
+constexpr std::array<int, 4> kZooms{8, 4, 2, 1};  ///< without remainder in kSide_px
 
 /// What must be seen to understand the verdict, px of the picture.
 double extent_px(const Candidate& candidate) {
@@ -84,7 +84,7 @@ std::string place_of(const Finding& finding) {
 
 }  // namespace
 
-RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const LedDetectorSettings& settings) {
+RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const DetectorSettings& settings) {
   constexpr double kFirstLine_px = 18.0;
   constexpr double kLine_px = 17.0;
   Canvas canvas(kCloseUpSize, kGround);

@@ -3,15 +3,15 @@
 
 #include "explain/finding.h"
 #include "explain/rgb_image.h"
-#include "line/detect/settings.h"
+#include "line/detect/detector_settings.h"
 
 namespace tripoint {
 
 inline constexpr ImageSize kCloseUpSize{200, 264};
 
-/// Eight times as large as the picture; four or two times for spots that would not fit and for surfaces.
+/// Eight times as large as the picture; four times, twice or as it is for spots that would not fit and for surfaces.
 ///
 /// @param picture  in its own size; the levels are shown as they are
-RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const LedDetectorSettings& settings);
+RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const DetectorSettings& settings);
 
 }  // namespace tripoint

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "explain/rgb_image.h"
+#include "line/detect/detector_settings.h"
 #include "line/detect/led_detector.h"
-#include "line/detect/settings.h"
 #include "ports/frame.h"
 
 namespace tripoint {
@@ -15,7 +15,7 @@ struct Explained {
   const Picture& picture;
   const CandidateLog& log;
   const Detection& detection;
-  const LedDetectorSettings& settings;
+  const DetectorSettings& settings;
 };
 
 /// The picture with its marks; above it what was found, below it close-ups of the kept and of the most telling

@@ -44,7 +44,7 @@ Type type_of(const Finding& finding) {
   return {colour_of(finding), finding.kept() ? kMedium_px : kSmall_px, finding.kept()};
 }
 
-std::string label_of(const Finding& finding, const LedDetectorSettings& settings, int width_px) {
+std::string label_of(const Finding& finding, const DetectorSettings& settings, int width_px) {
   if (finding.kept()) return fmt::format("{}", finding.number);
   return fmt::format("{} {}: {}", finding.number, cause_in_words(finding.candidate.cause),
                      why(finding.candidate, settings, width_px));
@@ -114,7 +114,7 @@ Magnification magnification_of(ImageSize size) {
   return {std::clamp(kSmall / longest, 1, kMostEnlarged), 1};
 }
 
-Overview overview_of(const RgbImage& picture, std::span<const Finding> findings, const LedDetectorSettings& settings) {
+Overview overview_of(const RgbImage& picture, std::span<const Finding> findings, const DetectorSettings& settings) {
   constexpr double kDark = 50.0;  // mean level below which the scene can hardly be made out
   Overview overview;
   overview.magnification = magnification_of(picture.size);

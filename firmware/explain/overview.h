@@ -5,7 +5,7 @@
 
 #include "explain/finding.h"
 #include "explain/rgb_image.h"
-#include "line/detect/settings.h"
+#include "line/detect/detector_settings.h"
 
 namespace tripoint {
 
@@ -29,6 +29,6 @@ struct Overview {
 
 /// @param picture  in its own size
 /// @param findings  as findings_of orders them: the first get their labels first
-Overview overview_of(const RgbImage& picture, std::span<const Finding> findings, const LedDetectorSettings& settings);
+Overview overview_of(const RgbImage& picture, std::span<const Finding> findings, const DetectorSettings& settings);
 
 }  // namespace tripoint

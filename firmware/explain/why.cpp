@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <variant>
 
 namespace tripoint {
 namespace {
@@ -55,6 +56,27 @@ std::string of_size(const Candidate& candidate, const LedDetectorSettings& setti
   return compared("sigma", sigma_px, sigma_px < settings.min_sigma_px ? settings.min_sigma_px : largest_px, 2);
 }
 
+std::string why_of_sphere(const Candidate& candidate, const SphereSettings& settings) {
+  const auto radius_px = static_cast<double>(candidate.radius_px);
+  const double radius_limit_px = radius_px < settings.min_radius_px ? settings.min_radius_px : settings.max_radius_px;
+  switch (candidate.cause) {
+    case DropCause::kKept:
+      return fmt::format("radius {:.1f} px  outline {:.2f}", candidate.radius_px, candidate.outline);
+    case DropCause::kOtherRadius:
+      return compared("radius", radius_px, radius_limit_px, 1);
+    case DropCause::kHiddenOutline:
+      return compared("outline", static_cast<double>(candidate.outline), settings.min_outline, 2);
+    case DropCause::kNotFilled:
+      return compared("fill", static_cast<double>(candidate.fill), settings.min_fill, 2);
+    case DropCause::kSprawling:
+      return compared("beyond", static_cast<double>(candidate.spill), settings.max_spill, 2);
+    case DropCause::kFitFailed:
+      return "no circle in the outline";
+    default:
+      return {};
+  }
+}
+
 std::string_view in_words(DropCause cause) {
   switch (cause) {
     case DropCause::kSeenBefore:
@@ -75,20 +97,20 @@ std::string_view in_words(DropCause cause) {
       return "not all around it was decoded";
     case DropCause::kNoRoom:
       return "the list of points is full";
+    case DropCause::kOtherRadius:
+      return "too small or too large";
+    case DropCause::kHiddenOutline:
+      return "too little of the edge on a circle";
+    case DropCause::kNotFilled:
+      return "not red all over";
+    case DropCause::kSprawling:
+      return "red beyond the circle";
     default:
       return {};
   }
 }
 
-}  // namespace
-
-std::string cause_in_words(DropCause cause) {
-  std::string words{name(cause)};
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
-std::string why(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
+std::string why_of_led(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
   const auto comparisons = comparisons_of(settings, candidate);
   const auto* const found = std::find_if(comparisons.begin(), comparisons.end(), [&](const Comparison& comparison) {
     return comparison.cause == candidate.cause;
@@ -104,6 +126,22 @@ std::string why(const Candidate& candidate, const LedDetectorSettings& settings,
     return fmt::format("redness {:.2f}  sigma {:.2f} px", candidate.redness, candidate.sigma_px);
   }
   return std::string{in_words(candidate.cause)};
+}
+
+}  // namespace
+
+std::string cause_in_words(DropCause cause) {
+  std::string words{name(cause)};
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string why(const Candidate& candidate, const DetectorSettings& settings, int width_px) {
+  if (const auto* const sphere = std::get_if<SphereSettings>(&settings)) {
+    const std::string reason = why_of_sphere(candidate, *sphere);
+    return reason.empty() ? std::string{in_words(candidate.cause)} : reason;
+  }
+  return why_of_led(candidate, std::get<LedDetectorSettings>(settings), width_px);
 }
 
 }  // namespace tripoint

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "line/detect/candidate.h"
-#include "line/detect/settings.h"
+#include "line/detect/detector_settings.h"
 
 namespace tripoint {
 
@@ -15,6 +15,6 @@ std::string cause_in_words(DropCause cause);
 /// nothing; of a kept one what it measured.
 ///
 /// @param width_px  of the picture: the largest spot depends on it
-std::string why(const Candidate& candidate, const LedDetectorSettings& settings, int width_px);
+std::string why(const Candidate& candidate, const DetectorSettings& settings, int width_px);
 
 }  // namespace tripoint

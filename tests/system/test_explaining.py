@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from system.daemon import finished
+from system.daemon import CONFIG, finished
 
 LIMIT_S = 60.0
 RED, DARK = (255, 40, 25), (8, 8, 8)
@@ -69,6 +69,41 @@ def test_every_candidate_is_told_and_the_file_named(tmp_path: Path) -> None:
     assert [point["u_px"] for point in line["points"]] == [candidate["u_px"] for candidate in kept]
     assert [candidate["number"] for candidate in line["candidates"]] == list(range(1, len(line["candidates"]) + 1))
     assert all(candidate["why"] for candidate in line["candidates"])
+
+
+def ball(path: Path, at_px: tuple[int, int], radius_px: int) -> Path:
+    """A red disc on a dark ground."""
+    rgb = b"".join(
+        bytes((190, 50, 50) if (x - at_px[0]) ** 2 + (y - at_px[1]) ** 2 <= radius_px**2 else DARK)
+        for y in range(240)
+        for x in range(320)
+    )
+    path.write_bytes(png(320, 240, rgb))
+    return path
+
+
+def test_the_settings_for_spheres_find_a_ball_and_no_light(tmp_path: Path) -> None:
+    settings = CONFIG.parents[1] / "settings/passive_spheres.toml"
+    images = [ball(tmp_path / "ball.png", (150, 110), 30), lights(tmp_path / "led.png", (320, 240), [(100, 80)])]
+    why = tmp_path / "why"
+    run = finished("detect", *map(str, images), "--config", str(settings), "--explain", str(why), "--json")
+    assert run.returncode == 0, run.stderr
+    of_ball, of_led = map(json.loads, run.stdout.splitlines())
+    assert [(round(p["u_px"]), round(p["v_px"])) for p in of_ball["points"]] == [(150, 110)]
+    assert [candidate["cause"] for candidate in of_ball["candidates"]] == ["kept"]
+    assert of_ball["candidates"][0]["why"].startswith("radius 30")
+    assert of_led["points"] == []
+    assert size_of(Path(of_ball["explanation"]))
+
+
+@pytest.mark.parametrize(("detector", "found"), [("led", 0), ("sphere", 1)])
+def test_the_detector_is_the_one_that_is_asked_for(tmp_path: Path, detector: str, found: int) -> None:
+    settings = CONFIG.parents[1] / "settings/passive_spheres.toml"
+    image = ball(tmp_path / "ball.png", (150, 110), 30)
+    for configured in ([], ["--config", str(settings)]):
+        run = finished("detect", str(image), "--detector", detector, *configured, "--json")
+        assert run.returncode == 0, run.stderr
+        assert len(json.loads(run.stdout)["points"]) == found
 
 
 def test_without_it_the_line_has_no_more_fields(tmp_path: Path) -> None:

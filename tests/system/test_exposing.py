@@ -123,3 +123,9 @@ def test_a_recording_has_no_exposure_to_choose(config: Path, tmp_path: Path) -> 
     done = exposed(config, "--set", "cameras.source=recording", "--set", f"recording.folder={tmp_path}")
     assert done.returncode == USAGE
     assert "recording" in done.stderr
+
+
+def test_spheres_have_no_exposure_to_find(config: Path) -> None:
+    done = exposed(config, "--set", "detector.kind=sphere")
+    assert done.returncode == USAGE
+    assert 'set "led"' in done.stderr

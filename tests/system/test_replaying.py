@@ -49,6 +49,17 @@ def test_a_recording_without_any_usable_frame_is_an_error(tmp_path: Path) -> Non
     assert "none of its 3 frames" in said[1]
 
 
+def test_spheres_are_not_measured(tmp_path: Path) -> None:
+    folder = recording(tmp_path / "dark", "yuyv", [bytes(WHOLE)])
+    config = tmp_path / "unit.toml"
+    config.write_text(CONFIG.read_text(encoding="utf-8") + '[detector]\nkind = "sphere"\n', encoding="utf-8")
+    run = finished("replay", str(folder), "--calibration", str(CALIBRATION), "--config", str(config), "--json")
+    assert run.returncode == 2
+    assert run.stdout == ""
+    assert "detector.kind" in run.stderr
+    assert 'set "led"' in run.stderr
+
+
 def test_an_unknown_key_is_named_with_its_line(tmp_path: Path) -> None:
     code, said = replayed(recording(tmp_path / "newer", "yuyv", [bytes(WHOLE)], "line_time_ms = 1"))
     assert code == 2

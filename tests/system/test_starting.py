@@ -67,6 +67,14 @@ def test_a_value_out_of_range_is_named_with_its_range() -> None:
     assert "65535" in checked.stderr
 
 
+@pytest.mark.parametrize("command", [("check-config",), ("run", "--config")])
+def test_spheres_are_not_measured(command: tuple[str, ...]) -> None:
+    refused = finished(*command, str(CONFIG), "--set", "detector.kind=sphere")
+    assert refused.returncode == 2
+    assert "detector.kind" in refused.stderr
+    assert 'set "led"' in refused.stderr
+
+
 def test_a_missing_table_is_named(broken: Path) -> None:
     text = broken.read_text(encoding="utf-8")
     broken.write_text(text.replace("[volume]", "[volumen]"), encoding="utf-8")

@@ -35,12 +35,17 @@ enum class DropCause : std::uint8_t {
   kRedSurface,    ///< no stronger than a red surface in the light of this picture may be
   kNoRoom,        ///< the list of points is full
   kBeyondBand,    ///< what had to be looked at was not all decoded
+  // Of spheres.
+  kOtherRadius,    ///< radius out of range
+  kHiddenOutline,  ///< too little of the edge lies on one circle: not round, or partly hidden
+  kNotFilled,      ///< too little of the circle is red
+  kSprawling,      ///< the red area goes on beyond the circle: overlapping spheres, or a larger thing
 };
-inline constexpr std::array<std::string_view, 23> kDropCauseNames{
-    "kept",          "seen_before", "dim",         "no_falloff", "no_contrast", "too_large",
-    "too_small",     "elongated",   "no_surround", "crowded",    "not_redder",  "not_red",
-    "not_emitting",  "fit_failed",  "poor_fit",    "wrong_size", "weak",        "cut_by_border",
-    "wrong_profile", "other_hue",   "red_surface", "no_room",    "beyond_band"};
+inline constexpr std::array<std::string_view, 27> kDropCauseNames{
+    "kept",      "seen_before", "dim",          "no_falloff",     "no_contrast",   "too_large",    "too_small",
+    "elongated", "no_surround", "crowded",      "not_redder",     "not_red",       "not_emitting", "fit_failed",
+    "poor_fit",  "wrong_size",  "weak",         "cut_by_border",  "wrong_profile", "other_hue",    "red_surface",
+    "no_room",   "beyond_band", "other_radius", "hidden_outline", "not_filled",    "sprawling"};
 
 constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
 
@@ -73,6 +78,9 @@ struct Candidate {
   float misfit = 0.0F;       ///< what of the residual the grain of the surroundings does not explain, of the amplitude
   int hidden_pixels = 0;     ///< clipped, and left out of the fit
   float hue = 0.0F;          ///< -dU/dV
+  float outline = 0.0F;      ///< share of the directions in which the edge lies on the circle
+  float fill = 0.0F;         ///< share of the circle's area that is red
+  float spill = 0.0F;        ///< share of the directions in which the red ends beyond the circle
   float red_surface = 0.0F;  ///< S that a red surface in the light of the picture may have
 };
 

@@ -56,6 +56,16 @@ TEST(UnitSetupTest, ACalibrationOfAnotherPictureSizeIsRefusedWithBothSizes) {
   EXPECT_NE(setup.error().message.find("320x240"), std::string::npos);
 }
 
+TEST(UnitSetupTest, SpheresAreNotMeasuredAndTheRemedyIsSaid) {
+  for (const char* calibration : {"calibration.file=calibration.toml", "calibration.file="}) {
+    const Result<UnitSetup> setup = demo_setup({"detector.kind=sphere", calibration});
+    ASSERT_FALSE(setup);
+    EXPECT_EQ(setup.error().code, ErrorCode::kMismatch);
+    EXPECT_NE(setup.error().message.find("detector.kind: \"sphere\""), std::string::npos) << setup.error().message;
+    EXPECT_NE(setup.error().message.find("set \"led\""), std::string::npos) << setup.error().message;
+  }
+}
+
 TEST(UnitSetupTest, TheSetupChangesWithWhatAPoseMeansAndWithNothingElse) {
   const std::uint16_t setup = demo_setup()->constants.identity.setup;
   EXPECT_NE(demo_setup({"output.frame=left_camera"})->constants.identity.setup, setup);

@@ -55,14 +55,44 @@ TEST(CamerasConfigTest, TheExposureFitsIntoAFrame) {
 
 TEST(DetectorConfigTest, LedsOnGreyAreAnErrorThatSaysWhy) {
   EXPECT_THAT(message_with({"cameras.format=grey"}),
-              HasSubstr("cameras.format = grey: red LEDs cannot be told from other lights without colour"));
+              HasSubstr("cameras.format = grey: red LEDs and spheres cannot be told from other things without colour"));
 }
 
 TEST(DetectorConfigTest, TheLimitsOfADetectorAreRanges) {
   EXPECT_EQ(config_with({"detector.min_peak=900", "detector.min_contrast=50"})->detector.min_peak, 900);
   EXPECT_EQ(config_with({"detector.min_emission=-0.1"})->detector.min_emission, -0.1);
   EXPECT_FALSE(config_with({"detector.min_emission=-0.3"}).has_value());
-  EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\""));
+  EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\" or \"sphere\""));
+}
+
+TEST(DetectorConfigTest, TheLimitsOfSpheresAreRanges) {
+  const auto config = config_with({"detector.kind=sphere", "detector.min_radius_px=20", "detector.max_radius_px=70",
+                                   "detector.min_redness=0.5", "detector.min_fill=0.6"});
+  ASSERT_TRUE(config) << config.error().message;
+  EXPECT_EQ(config->detector.kind, ConfiguredDetector::kSphere);
+  EXPECT_EQ(config->detector.min_radius_px, 20.0);
+  EXPECT_EQ(config->detector.max_radius_px, 70.0);
+  EXPECT_EQ(config->detector.min_redness, 0.5);
+  EXPECT_EQ(config->detector.min_fill, 0.6);
+  for (const char* wrong : {"detector.min_radius_px=7", "detector.max_radius_px=401", "detector.min_redness=0.05",
+                            "detector.min_fill=0.96"}) {
+    EXPECT_FALSE(config_with({"detector.kind=sphere", wrong})) << wrong;
+  }
+}
+
+TEST(DetectorConfigTest, TheSmallestSphereIsNotAboveTheLargest) {
+  EXPECT_EQ(message_with({"detector.kind=sphere", "detector.min_radius_px=50", "detector.max_radius_px=50"}), "");
+  EXPECT_THAT(message_with({"detector.kind=sphere", "detector.min_radius_px=50", "detector.max_radius_px=49"}),
+              HasSubstr("permitted is from 50"));
+}
+
+TEST(DetectorConfigTest, KeysOfTheOtherDetectorAreUnknown) {
+  EXPECT_THAT(message_with({"detector.min_fill=0.5"}), HasSubstr("detector.min_fill"));
+  EXPECT_THAT(message_with({"detector.kind=sphere", "detector.min_peak=900"}), HasSubstr("detector.min_peak"));
+}
+
+TEST(DetectorConfigTest, SpheresOnGreyAreAnErrorAsWell) {
+  EXPECT_THAT(message_with({"cameras.format=grey", "detector.kind=sphere"}), HasSubstr("without colour"));
 }
 
 TEST(SimulationConfigTest, EveryKeyIsRead) {

@@ -69,6 +69,28 @@ TEST(WhyTest, TheSizeHasTwoLimits) {
   EXPECT_EQ(of_sigma(12.0F), "sigma 12.00 > 10.24");
 }
 
+TEST(WhyTest, OfASphereTheValueStandsAgainstItsOwnLimits) {
+  SphereSettings settings;
+  settings.min_radius_px = 20.0;
+  settings.max_radius_px = 70.0;
+  const auto of = [&](DropCause cause, float Candidate::*measured, float value) {
+    return why(with(cause, measured, value), settings, 640);
+  };
+  EXPECT_EQ(of(DropCause::kOtherRadius, &Candidate::radius_px, 12.0F), "radius 12.0 < 20.0");
+  EXPECT_EQ(of(DropCause::kOtherRadius, &Candidate::radius_px, 80.0F), "radius 80.0 > 70.0");
+  EXPECT_EQ(of(DropCause::kHiddenOutline, &Candidate::outline, 0.41F), "outline 0.41 < 0.50");
+  EXPECT_EQ(of(DropCause::kNotFilled, &Candidate::fill, 0.31F), "fill 0.31 < 0.50");
+  EXPECT_EQ(of(DropCause::kSprawling, &Candidate::spill, 0.25F), "beyond 0.25 > 0.10");
+}
+
+TEST(WhyTest, OfASphereEveryCauseHasAReason) {
+  for (const DropCause cause :
+       {DropCause::kKept, DropCause::kFitFailed, DropCause::kCutByBorder, DropCause::kNoRoom, DropCause::kOtherRadius,
+        DropCause::kHiddenOutline, DropCause::kNotFilled, DropCause::kSprawling}) {
+    EXPECT_FALSE(why(with(cause, &Candidate::fill, 0.0F), SphereSettings{}, 640).empty()) << name(cause);
+  }
+}
+
 TEST(WhyTest, AKeptOneTellsWhatWasMeasured) {
   Candidate kept;
   kept.redness = 1.7F;

@@ -139,7 +139,7 @@ TEST(LedDetectorTest, LogSaysWhyEachCandidateWasDropped) {
 
 TEST(LedDetectorTest, EveryCauseHasItsOwnName) {
   const std::set<std::string_view> names(kDropCauseNames.begin(), kDropCauseNames.end());
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(DropCause::kBeyondBand) + 1);
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(DropCause::kSprawling) + 1);
   EXPECT_EQ(names.count(""), 0U);
   EXPECT_EQ(name(DropCause::kCutByBorder), "cut_by_border");
 }
