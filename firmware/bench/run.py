@@ -14,15 +14,18 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from instructions import in_function
+from tables import SIZES, table, table_of_sizes
 
 TOP = Path(__file__).parents[2]
 WARM_UP_S = 25.0  # longer than the window of latencies that the unit keeps
 LOAD_S = 20
+SIZE_OF_GOALS = "640x480"
+OF_FIRST_ROW = 2  # figures of bench_clutter
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,12 +57,21 @@ def of_program(program: Path, *arguments: str) -> list[dict[str, Any]]:
     return figures
 
 
+def counted(name: str, program: Path, kind: str, size: str, goal: float) -> Figure:
+    """What a stereo pair costs, in instructions, against the textbook."""
+    ours, textbook = (in_function("*measured_pair*", program, each, size) for each in (kind, "textbook"))
+    print(f"{name} {size}: {ours:.0f}, textbook {textbook:.0f}", file=sys.stderr, flush=True)
+    if size == SIZE_OF_GOALS:
+        return at_least(f"{name}_vs_textbook", textbook, ours, goal)
+    return replace(at_least(f"{name}_{size}_vs_textbook", textbook, ours, 0), goal=None)
+
+
 def of_instructions(programs: Path) -> list[dict[str, Any]]:
-    """What a stereo pair costs, in instructions."""
-    print("bench: bench_pair under callgrind ...", file=sys.stderr, flush=True)
-    ours, textbook = (in_function("*measured_pair*", programs / "bench_pair", kind) for kind in ("ours", "textbook"))
-    print(f"pair of 640x480: {ours:.0f} instructions, textbook {textbook:.0f}", file=sys.stderr)
-    return [asdict(at_least("pair_instructions_vs_textbook", textbook, ours, 50))]
+    """Of whole YUYV pictures, and of MJPEG around a forecast."""
+    print("bench: pairs under callgrind ...", file=sys.stderr, flush=True)
+    figures = [counted("pair_instructions", programs / "bench_pair", "ours", size, 50) for size in SIZES]
+    figures += [counted("pair_tracking_instructions", programs / "bench_mjpeg", "tracked", size, 60) for size in SIZES]
+    return [asdict(figure) for figure in figures]
 
 
 def free_port() -> int:
@@ -119,25 +131,17 @@ def of_the_unit(programs: Path) -> list[dict[str, Any]]:
     return [asdict(figure) for figure in figures] + load
 
 
-def table(figures: list[dict[str, Any]]) -> str:
-    rows = [f"{'figure':36} {'value':>12} {'unit':6} {'goal':>10}"]
-    for figure in figures:
-        mark = "" if figure["reached"] else "  not reached"
-        rows.append(f"{figure['name']:36} {figure['value']:12.4g} {figure['unit']:6} {figure['goal'] or '':>10}{mark}")
-    return "\n".join(rows)
-
-
 def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
     figures += of_program(programs / "bench_exposure")
-    of_program(programs / "bench_clutter")  # for its table: every size and format, and what is harder
     figures += of_program(programs / "bench_clutter", "--row", "640_yuyv", "--scenes", "1000")
+    figures += of_program(programs / "bench_clutter")[OF_FIRST_ROW:]  # the first has more scenes above
     figures += of_instructions(programs) + of_program(programs / "bench_mjpeg")
     figures += [figure for figure in of_program(programs / "bench_modbus") if figure["name"] == "torn_reads"]
     figures += of_the_unit(programs)
     output.write_text(json.dumps(figures, indent=1) + "\n")
-    print(table(figures))
+    print(table_of_sizes(figures), table(figures), sep="\n\n")
     return 0 if all(figure["reached"] for figure in figures) else 1
 
 

@@ -13,8 +13,9 @@ constexpr double kGate2 = 4.5 * 4.5;
 
 }  // namespace
 
-std::vector<PairBytes> three_leds_in_motion(PixelFormat format) {
+std::vector<PairBytes> three_leds_in_motion(ImageSize size, PixelFormat format) {
   SimulationSettings settings;
+  settings.rig = default_rig(size);
   settings.format = format;
   settings.scene = led_scene({kLedsOfPair_mm.begin(), kLedsOfPair_mm.end()});
   settings.trajectory = {.period = std::chrono::seconds{1}, .reference_from_target = [](double t_s) {
@@ -32,7 +33,7 @@ std::vector<PairBytes> three_leds_in_motion(PixelFormat format) {
   return pairs;
 }
 
-PairMeasurer::PairMeasurer() : rig_(rig_of(default_rig()).value()) {}
+PairMeasurer::PairMeasurer(ImageSize size) : rig_(rig_of(default_rig(size)).value()) {}
 
 std::size_t PairMeasurer::measure(const PerSide<Picture>& pictures) {
   seen_ = {detectors_.left.detect(pictures.left, {}), detectors_.right.detect(pictures.right, {})};

@@ -25,13 +25,13 @@ inline const std::array<Vec3, kLedsOfPair> kLedsOfPair_mm{Vec3(0.0, 0.0, 0.0), V
 
 using PairBytes = PerSide<std::vector<std::uint8_t>>;
 
-/// 32 pairs of 640x480, a second of motion, through the default rig.
-std::vector<PairBytes> three_leds_in_motion(PixelFormat format);
+/// 32 pairs, a second of motion, through the default rig of that size.
+std::vector<PairBytes> three_leds_in_motion(ImageSize size, PixelFormat format);
 
 /// Detects in both pictures and triangulates every pair on a common epipolar plane.
 class PairMeasurer {
  public:
-  PairMeasurer();
+  explicit PairMeasurer(ImageSize size);
 
   /// @return how many points in space came out
   std::size_t measure(const PerSide<Picture>& pictures);

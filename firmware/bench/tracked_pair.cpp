@@ -6,13 +6,12 @@
 namespace tripoint::bench {
 namespace {
 
-constexpr ImageSize kSize{640, 480};
 constexpr double kAcross_mm2 = 0.06 * 0.06;  // 0.1 px at 390 mm
 constexpr double kDeep_mm2 = 0.35 * 0.35;    // and with 100 mm between the cameras
 
 }  // namespace
 
-TrackedPair::TrackedPair() {
+TrackedPair::TrackedPair(ImageSize size) : size_(size), measurer_(size) {
   model_.rig = measurer_.rig();
   int id = 1;
   for (const Vec3& led : kLedsOfPair_mm) model_.target.points.push_back({.id = id++, .in_target_mm = led});
@@ -31,8 +30,8 @@ std::size_t TrackedPair::measure(const PairBytes& pair) {
 }
 
 Picture TrackedPair::decoded(const PairBytes& pair, Side side) {
-  const RowBands bands = chosen_bands(sightings_[side], forecast_, {side, frame_, exposed_, kSize});
-  return decoders_[side].decode(pair[side], kSize, bands).value();
+  const RowBands bands = chosen_bands(sightings_[side], forecast_, {side, frame_, exposed_, size_});
+  return decoders_[side].decode(pair[side], size_, bands).value();
 }
 
 void TrackedPair::remember(const Picture& picture, Side side) {

@@ -16,7 +16,7 @@ namespace tripoint::bench {
 /// Pair after pair of one motion. The forecast is the line's own, of a target whose rotation is known.
 class TrackedPair {
  public:
-  TrackedPair();
+  explicit TrackedPair(ImageSize size);
 
   /// @return how many points in space came out
   std::size_t measure(const PairBytes& pair);
@@ -29,6 +29,7 @@ class TrackedPair {
   void remember(const Picture& picture, Side side);
   void learn();
 
+  ImageSize size_;
   PairMeasurer measurer_;
   LineModel model_;
   Monitor monitor_;
