@@ -40,12 +40,9 @@ Area area_from(const Sums& sums) {
 
 double Area::radius_px() const { return std::sqrt(pixels / std::numbers::pi); }
 
-Area Flood::spread(const SpotWindow& window, std::size_t seed, int level) {
+Area Flood::spread(const SpotWindow& window, const SpotWindow::Part& part, std::size_t seed, int level) {
   constexpr std::size_t kStride = SpotWindow::kStride;
-  for (int row = 0; row < window.rows(); ++row) {
-    std::fill_n(marked_.begin() + static_cast<std::ptrdiff_t>(SpotWindow::index(0, row)), window.columns(),
-                std::uint8_t{0});
-  }
+  for (const std::uint16_t i : area()) marked_[i] = 0;
   Sums sums;
   bool cut = false;
   marked_[seed] = 1;
@@ -55,13 +52,16 @@ Area Flood::spread(const SpotWindow& window, std::size_t seed, int level) {
     const std::size_t here = reached_[next_out];
     const int row = static_cast<int>(here / kStride);
     const int column = static_cast<int>(here % kStride);
-    if (column == 0 || row == 0 || column == window.columns() - 1 || row == window.rows() - 1) {
-      return {.leaves_window = true};
+    if (column == part.left || row == part.top || column == part.right || row == part.bottom) {
+      return {.leaves_part = true};
     }
     sums.add(column, row);
     for (const std::size_t next : {here - 1, here + 1, here - kStride, here + kStride}) {
-      cut |= window.outside(next);
-      if (marked_[next] != 0 || window.strength(next) < level) continue;
+      if (window.strength(next) < level) {
+        cut |= window.outside(next);
+        continue;
+      }
+      if (marked_[next] != 0) continue;
       marked_[next] = 1;
       reached_[pixels_++] = static_cast<std::uint16_t>(next);
     }

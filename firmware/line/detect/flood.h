@@ -17,7 +17,7 @@ struct Area {
   double row = 0.0;
   double long_axis_px = 0.0;  ///< standard deviations, with the pixel's own 1/12
   double short_axis_px = 0.0;
-  bool leaves_window = false;  ///< reached the window's border: the rest is not known
+  bool leaves_part = false;    ///< reached the border of the part: the rest is not known
   bool cut_by_border = false;  ///< touches the end of the picture
 
   [[nodiscard]] double aspect() const { return long_axis_px / short_axis_px; }
@@ -26,8 +26,8 @@ struct Area {
 
 class Flood {
  public:
-  /// The 4-connected area of S >= level around window index `seed`.
-  Area spread(const SpotWindow& window, std::size_t seed, int level);
+  /// The 4-connected area of S >= level around window index `seed`, as far as it keeps within a part of the window.
+  Area spread(const SpotWindow& window, const SpotWindow::Part& part, std::size_t seed, int level);
 
   /// Whether a pixel belongs to the area of the last `spread`.
   [[nodiscard]] bool holds(std::size_t index) const { return marked_[index] != 0; }

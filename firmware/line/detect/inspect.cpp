@@ -53,6 +53,7 @@ Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
   seen_.at = {static_cast<double>(start.u_px), static_cast<double>(start.v_px)};
   seen_.needed_contrast = static_cast<float>(settings_.min_contrast);
   point_.reset();
+  half_loaded_ = 0;
   looked_ = {start.v_px, start.v_px + 1};
   look_at_rows(start.v_px, kPeakReach_px);
   seen_.cause = judge(picture);
@@ -64,9 +65,14 @@ void Inspector::look_at_rows(int middle_px, int reach_px) {
   looked_.bottom_px = std::max(looked_.bottom_px, middle_px + reach_px + 1);
 }
 
-void Inspector::load(const Picture& picture, PixelPlace center, int half) {
-  window_.load(picture, center.u_px, center.v_px, half);
-  look_at_rows(center.v_px, half);
+/// Loads a usual spot's surroundings along with it.
+SpotWindow::Part Inspector::part_around_start(const Picture& picture, int half) {
+  constexpr int kUsualHalf = 15;
+  const int shown = std::max(half, kUsualHalf);
+  if (shown != half_loaded_) window_.load(picture, seen_.start_u_px, seen_.start_v_px, shown);
+  half_loaded_ = shown;
+  look_at_rows(seen_.start_v_px, half);
+  return window_.around(seen_.start_u_px, seen_.start_v_px, half);
 }
 
 DropCause Inspector::judge(const Picture& picture) {
@@ -108,28 +114,28 @@ void Inspector::find_peak() {
   seen_.red_step = static_cast<float>(red);
 }
 
-bool Inspector::spread_alone(int background) {
+bool Inspector::spread_alone(const SpotWindow::Part& part, int background) {
   const std::size_t seed = SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px());
   for (const double level : kLevels) {
     seen_.level = static_cast<float>(level);
     threshold_ = background + static_cast<int>(level * static_cast<double>(seen_.contrast));
-    area_ = flood_.spread(window_, seed, threshold_);
-    if (!area_.leaves_window && area_.aspect() <= kAloneAspect) return true;
+    area_ = flood_.spread(window_, part, seed, threshold_);
+    if (!area_.leaves_part && area_.aspect() <= kAloneAspect) return true;
   }
-  return !area_.leaves_window;
+  return !area_.leaves_part;
 }
 
 DropCause Inspector::isolate(const Picture& picture) {
   bool alone = false;
   const auto halves = half_windows(picture.size.width_px);
   for (const int half : halves) {
-    load(picture, {seen_.start_u_px, seen_.start_v_px}, half);
+    const SpotWindow::Part part = part_around_start(picture, half);
     if (half == halves.front()) find_peak();
-    const int background = background_of(window_);
+    const int background = background_of(window_, part);
     if (background == SpotWindow::kOutside) return DropCause::kNoSurround;
     seen_.contrast = seen_.peak - static_cast<float>(background);
     if (seen_.contrast < seen_.needed_contrast) return DropCause::kNoContrast;
-    alone = spread_alone(background);
+    alone = spread_alone(part, background);
     if (alone) break;
   }
   if (!alone) return DropCause::kTooLarge;
@@ -146,20 +152,21 @@ void Inspector::show_surround(const Picture& picture) {
   const double reach_px = surround_reach_px(area_);
   const bool shown = area_.column >= reach_px && area_.column + reach_px <= window_.columns() - 1 &&
                      area_.row >= reach_px && area_.row + reach_px <= window_.rows() - 1;
-  if (shown) return;
   const auto center_u = static_cast<int>(std::lround(seen_.at.u_px));
   const auto center_v = static_cast<int>(std::lround(seen_.at.v_px));
-  const int needed = static_cast<int>(std::ceil(reach_px)) + 1;
-  load(picture, {center_u, center_v}, std::min(needed, SpotWindow::kMaxHalf));
-  area_ = flood_.spread(window_, SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()),
-                        threshold_);
+  const int half = std::min(static_cast<int>(std::ceil(reach_px)) + 1, SpotWindow::kMaxHalf);
+  look_at_rows(center_v, half);
+  if (shown) return;
+  window_.load(picture, center_u, center_v, half);
+  area_ = flood_.spread(window_, window_.around(center_u, center_v, half),
+                        SpotWindow::index(peak_.u_px - window_.left_px(), peak_.v_px - window_.top_px()), threshold_);
 }
 
 DropCause Inspector::compare_with_surround(const Picture& picture) {
   show_surround(picture);
   const int peak = static_cast<int>(seen_.peak);
   around_ = surround_of(window_, area_, peak);
-  if (area_.leaves_window || around_.pixels == 0) return DropCause::kNoSurround;
+  if (area_.leaves_part || around_.pixels == 0) return DropCause::kNoSurround;
   seen_.contrast = static_cast<float>(peak - around_.strength);
   seen_.needed_contrast =
       std::max(seen_.needed_contrast, static_cast<float>(settings_.min_contrast_of_noise * around_.strength_noise));

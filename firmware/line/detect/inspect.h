@@ -35,10 +35,10 @@ class Inspector {
   DropCause compare_with_surround(const Picture& picture);
   DropCause fit(const Picture& picture);
 
-  void load(const Picture& picture, PixelPlace center, int half);
   void look_at_rows(int middle_px, int reach_px);
   void find_peak();
-  bool spread_alone(int background);
+  SpotWindow::Part part_around_start(const Picture& picture, int half);
+  bool spread_alone(const SpotWindow::Part& part, int background);
   void show_surround(const Picture& picture);
   void note(const SpotMeasurement& measured);
   [[nodiscard]] DropCause check(const SpotMeasurement& measured, const Picture& picture) const;
@@ -53,6 +53,7 @@ class Inspector {
   Candidate seen_;
   std::optional<ImagePoint> point_;
   RowBand looked_;  // may end outside the picture
+  int half_loaded_ = 0;
   PixelPlace peak_;
   int threshold_ = 0;
   Area area_;

@@ -11,29 +11,32 @@ namespace tripoint {
 void SpotWindow::load(const Picture& picture, int center_u, int center_v, int half) {
   TRIPOINT_ASSERT(half > 0 && half <= kMaxHalf);
   picture_size_ = picture.size;
-  left_px_ = (center_u - half) & ~1;
+  left_px_ = even(center_u - half);
   top_px_ = center_v - half;
   columns_ = 2 * half + 2;
   rows_ = 2 * half + 1;
-  for (int row = 0; row < rows_; ++row) load_row(picture, row);
+  const bool in_eights =
+      picture.interleaved_yuyv && left_px_ >= 2 && left_px_ + 8 * ((columns_ + 7) / 8) + 2 <= picture.size.width_px;
+  for (int row = 0; row < rows_; ++row) {
+    const int v_px = top_px_ + row;
+    const std::size_t first = index(0, row);
+    if (v_px < 0 || v_px >= picture.size.height_px) {
+      std::fill_n(strength_.begin() + static_cast<std::ptrdiff_t>(first), columns_, kOutside);
+    } else if (in_eights) {
+      const std::uint8_t* yuyv = picture.luma.row(v_px) + 2 * left_px_;
+      for (int column = 0; column < columns_; column += 8) {
+        load_eight(yuyv + 2 * column, first + static_cast<std::size_t>(column));
+      }
+    } else {
+      load_row(picture, row);
+    }
+  }
 }
 
 void SpotWindow::load_row(const Picture& picture, int row) {
   const int v_px = top_px_ + row;
-  const std::size_t first = index(0, row);
-  if (v_px < 0 || v_px >= picture.size.height_px) {
-    std::fill_n(strength_.begin() + static_cast<std::ptrdiff_t>(first), columns_, kOutside);
-    return;
-  }
-  if (picture.interleaved_yuyv && left_px_ >= 2 && left_px_ + 8 * ((columns_ + 7) / 8) + 2 <= picture.size.width_px) {
-    const std::uint8_t* yuyv = picture.luma.row(v_px);
-    for (int column = 0; column < columns_; column += 8) {
-      load_eight(yuyv + 2 * (left_px_ + column), first + static_cast<std::size_t>(column));
-    }
-    return;
-  }
   for (int column = 0; column < columns_; column += 2) {
-    const std::size_t i = first + static_cast<std::size_t>(column);
+    const std::size_t i = index(column, row);
     picture.interleaved_yuyv ? load_pair<2, 4>(picture, i, left_px_ + column, v_px)
                              : load_pair<1, 1>(picture, i, left_px_ + column, v_px);
   }

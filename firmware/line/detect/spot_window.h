@@ -29,13 +29,20 @@ class SpotWindow {
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
 
-  /// The part that lies in the picture: first and last columns and rows, inclusive.
+  /// First and last columns and rows, inclusive.
   struct Part {
     int left = 0;
     int top = 0;
     int right = 0;
     int bottom = 0;
   };
+  /// What a window of `half` around that pixel of the picture would show.
+  [[nodiscard]] Part around(int center_u, int center_v, int half) const {
+    const int left = even(center_u - half) - left_px_;
+    const int top = center_v - half - top_px_;
+    return {left, top, left + 2 * half + 1, top + 2 * half};
+  }
+  /// The part that lies in the picture.
   [[nodiscard]] Part in_picture() const {
     return {std::max(0, -left_px_), std::max(0, -top_px_), std::min(columns_, picture_size_.width_px - left_px_) - 1,
             std::min(rows_, picture_size_.height_px - top_px_) - 1};
@@ -55,6 +62,7 @@ class SpotWindow {
   [[nodiscard]] bool outside(std::size_t i) const { return strength_[i] == kOutside; }
 
  private:
+  static constexpr int even(int u_px) { return u_px & ~1; }
   void load_row(const Picture& picture, int row);
   void load_eight(const std::uint8_t* yuyv, std::size_t i);
   template <int kLumaStep, int kRedStep>

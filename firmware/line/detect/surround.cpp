@@ -84,19 +84,19 @@ Surround surround_of(const SpotWindow& window, const Area& area, int peak) {
           .strength_noise = kStrengthBin * strengths.noise()};
 }
 
-int background_of(const SpotWindow& window) {
+int background_of(const SpotWindow& window, const SpotWindow::Part& part) {
   StrengthHistogram strengths;
   const auto see = [&](int column, int row) {
     const std::size_t i = SpotWindow::index(column, row);
     if (!window.outside(i)) strengths.add(window.strength(i) / kStrengthBin);
   };
-  for (int column = 0; column < window.columns(); ++column) {
-    see(column, 0);
-    see(column, window.rows() - 1);
+  for (int column = part.left; column <= part.right; ++column) {
+    see(column, part.top);
+    see(column, part.bottom);
   }
-  for (int row = 1; row + 1 < window.rows(); ++row) {
-    see(0, row);
-    see(window.columns() - 1, row);
+  for (int row = part.top + 1; row < part.bottom; ++row) {
+    see(part.left, row);
+    see(part.right, row);
   }
   return strengths.size() < kFewestPixels ? SpotWindow::kOutside : kStrengthBin * strengths.percentile(0.4);
 }

@@ -29,8 +29,8 @@ double surround_reach_px(const Area& area);
 /// @return no pixels when less than 8 of the ring are in the picture
 Surround surround_of(const SpotWindow& window, const Area& area, int peak);
 
-/// 40th percentile of S along the window's border, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
-int background_of(const SpotWindow& window);
+/// 40th percentile of S along the border of a part, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
+int background_of(const SpotWindow& window, const SpotWindow::Part& part);
 
 /// Redness dV/dY over the flank (12 to 85 % of the contrast).
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak);
