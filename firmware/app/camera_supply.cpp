@@ -46,8 +46,8 @@ constexpr double kGainSteps = 64.0;           ///< of cameras.gain, that double 
 
 /// Light is proportional to the exposure; a gain lifts the noise as well.
 void expose(SimulationSettings& settings, const CamerasConfig& cameras) {
-  const double gain = 1.0 + cameras.gain / kGainSteps;
-  const double light = gain * static_cast<double>(cameras.exposure.count()) / kUsualExposure_us;
+  const double gain = 1.0 + cameras.measuring.gain / kGainSteps;
+  const double light = gain * static_cast<double>(cameras.measuring.exposure.count()) / kUsualExposure_us;
   for (LightSource& source : settings.scene.lights) source.peak *= light;
   settings.scene.white_level *= light;
   settings.sensor.read_noise = std::min(1.0, gain * settings.sensor.read_noise);
@@ -65,7 +65,8 @@ Result<SimulationSettings> simulation_settings(const Config& config) {
   settings.rig = default_rig(config.cameras.size);
   settings.format = pixel_format(config.cameras.format);
   settings.rate_hz = config.cameras.rate_hz;
-  settings.exposure = config.cameras.exposure;
+  settings.exposure = config.cameras.measuring.exposure;
+  settings.gain = config.cameras.measuring.gain;
   settings.line_time = duration_from_seconds(config.timing.line_time_us * 1e-6);
   settings.clocks.left = {.phase = Duration{0},
                           .drift_ppm = wanted.clock_drift_ppm / 2.0,
@@ -112,8 +113,8 @@ V4l2Settings v4l2_settings(const CamerasConfig& config, Side side, const FoundCa
           .format = pixel_format(config.format),
           .size = config.size,
           .rate_hz = config.rate_hz,
-          .exposure = config.exposure,
-          .gain = config.gain,
+          .exposure = config.measuring.exposure,
+          .gain = config.measuring.gain,
           .white_balance_k = config.white_balance_k,
           .focus = config.focus,
           .line_time = line_time};

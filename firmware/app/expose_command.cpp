@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/camera_pair.h"
 #include "app/camera_supply.h"
 #include "app/exit_code.h"
 #include "app/exposure_sight.h"
@@ -20,7 +21,6 @@ namespace tripoint {
 namespace {
 
 using nlohmann::ordered_json;
-using std::chrono::microseconds;
 
 /// A factor: the brightest pixel of a small spot reads up to a quarter low just below clip (rendered at 320x240).
 constexpr double kCheckTolerance = 1.3;
@@ -57,38 +57,52 @@ bool suits(const Look& look) {
 /// How the program ends when the search did not: what was seen is a verdict, all else an error.
 int refused(const Error& error) {
   const int code = report(error);
-  const bool verdict =
-      error.code == ErrorCode::kOutOfRange || error.code == ErrorCode::kTimeout || error.code == ErrorCode::kMismatch;
+  const bool verdict = error.code == ErrorCode::kOutOfRange || error.code == ErrorCode::kTimeout;
   return verdict ? number(ExitCode::kNo) : code;
+}
+
+Result<GainRange> only(int gain, const GainRange& offered) {
+  const bool permitted =
+      gain >= offered.lowest && gain <= offered.highest && (gain - offered.lowest) % offered.step == 0;
+  if (permitted) return GainRange{gain, gain, 1};
+  return failure(ErrorCode::kOutOfRange, fmt::format("--gain {}: the cameras permit {} to {} in steps of {}", gain,
+                                                     offered.lowest, offered.highest, offered.step));
 }
 
 /// One finding of the setting `measuring`.
 class Exposing {
  public:
   Exposing(const ExposeOptions& options, const Config& config, std::size_t leds)
-      : options_(options),
-        config_(config),
-        sight_(
-            config, [this](const Config& wanted) { return supply(wanted); }, leds) {}
+      : options_(options), config_(config), leds_(leds) {}
 
   int run() {
-    const Result<ExposureRange> offered = sight_.offered();
+    Result<ExposureOffer> offered = offer();
     if (!offered) return report(offered.error());
-    const Result<PlaceBounds> near_end = at(End::kNear, *offered, config_.cameras.exposure);
+    Result<PlaceBounds> near_end =
+        at(End::kNear, *offered, {config_.cameras.measuring.exposure, offered->gains.lowest});
     if (!near_end) return refused(near_end.error());
-    const Result<PlaceBounds> far_end = at(End::kFar, *offered, near_end->look.exposure);
+    const Result<PlaceBounds> far_end = at(End::kFar, *offered, near_end->look.setting);
     if (!far_end) return refused(far_end.error());
-    const Result<microseconds> chosen = exposure_for(*near_end, *far_end, *offered);
+    if (far_end->look.setting.gain != near_end->look.setting.gain) {
+      const Result<ExposureSetting> alone = exposure_for(*far_end, *far_end, *offered);
+      if (!alone) return refused(alone.error());  // before anyone goes back to the near end
+      offered->gains = {far_end->look.setting.gain, far_end->look.setting.gain, 1};
+      near_end = at(End::kNear, *offered, far_end->look.setting);
+      if (!near_end) return refused(near_end.error());
+    }
+    const Result<ExposureSetting> chosen = exposure_for(*near_end, *far_end, *offered);
     if (!chosen) return refused(chosen.error());
-    const Result<Look> check = look_at(*chosen);  // the target still is at the far end
+    const Result<Look> check = look_at(*chosen);  // the target still is where it was last
     if (!check) return report(check.error());
     if (!suits(*check)) {
       return refused(
-          {ErrorCode::kMismatch,
-           fmt::format("{} us was chosen, but checked in a fresh picture it gives {}, {}; was the target moved?",
-                       check->exposure.count(), words(*check, Side::kLeft), words(*check, Side::kRight))});
+          {ErrorCode::kOutOfRange,
+           fmt::format("{} us with gain {} was chosen, but checked in a fresh picture it gives {}, {}; was the target "
+                       "moved?",
+                       check->setting.exposure.count(), check->setting.gain, words(*check, Side::kLeft),
+                       words(*check, Side::kRight))});
     }
-    return conclude(check->exposure, *near_end);
+    return conclude(check->setting, *near_end, *far_end);
   }
 
  private:
@@ -98,27 +112,47 @@ class Exposing {
     return simulated_cameras_showing(config, clock_, Vec3(0.0, 0.0, z_mm));
   }
 
-  Result<PlaceBounds> at(End end, const ExposureRange& offered, microseconds start) {
+  Result<ExposureOffer> offer() {
+    const Result<CameraPair> cameras = opened(config_.cameras.measuring);
+    if (!cameras) return tl::make_unexpected(cameras.error());
+    ExposureOffer offered = cameras->offered();
+    if (!options_.gain) return offered;
+    return only(*options_.gain, offered.gains).map([&](const GainRange& gains) {
+      offered.gains = gains;
+      return offered;
+    });
+  }
+
+  Result<CameraPair> opened(const ExposureSetting& setting) {
+    return CameraPair::open(
+        config_, [this](const Config& wanted) { return supply(wanted); }, setting);
+  }
+
+  Result<PlaceBounds> at(End end, const ExposureOffer& offered, const ExposureSetting& start) {
     end_ = end;
+    ++step_;
     if (const Result<void> placed = placed_by_operator(); !placed) return tl::make_unexpected(placed.error());
-    return bounds_at_place([this](microseconds exposure) { return look_at(exposure); }, offered, start);
+    return bounds_at_place([this](const ExposureSetting& setting) { return look_at(setting); }, offered, start);
   }
 
   /// Asks for the target to be held there, and waits for Enter.
   Result<void> placed_by_operator() {
     if (config_.cameras.source == CameraSource::kSimulation) return {};
     const double z_mm = end_ == End::kNear ? config_.volume.min_mm.z() : config_.volume.max_mm.z();
+    const std::string which =
+        step_ <= 2 ? fmt::format("Step {} of 2", step_) : "Once more, because the far end needs a higher gain";
     fmt::print(stderr,
-               "Hold the target still at the {} end of the working volume (z = {:.0f} mm), LEDs on and towards "
-               "the cameras, then press Enter.\n",
-               name(end_), z_mm);
+               "{}: hold the target at the {} end of the working volume (z = {:.0f} mm), LEDs on and towards the "
+               "cameras; press Enter, and keep it still until the next line that asks for something.\n",
+               which, name(end_), z_mm);
     std::string line;
     if (std::getline(std::cin, line)) return {};
-    return failure(ErrorCode::kTimeout, "nobody pressed Enter: someone has to hold the target and say when");
+    return failure(ErrorCode::kCannotRead, "nobody pressed Enter: someone has to hold the target and say when");
   }
 
-  Result<Look> look_at(microseconds exposure) {
-    Result<Look> look = sight_.look(exposure);
+  Result<Look> look_at(const ExposureSetting& setting) {
+    Result<Look> look = opened(setting).and_then(
+        [&](const CameraPair& cameras) { return look_at_leds(cameras, config_.detector, leds_); });
     if (look) show(*look);
     return look;
   }
@@ -126,36 +160,43 @@ class Exposing {
   void show(const Look& look) const {
     if (options_.json) {
       const ordered_json line = {{"end", name(end_)},
-                                 {"exposure_us", look.exposure.count()},
+                                 {"exposure_us", look.setting.exposure.count()},
+                                 {"gain", look.setting.gain},
                                  {"left", json_of(look, Side::kLeft)},
                                  {"right", json_of(look, Side::kRight)}};
       fmt::print("{}\n", line.dump());
     } else {
-      fmt::print("{:<4} end, {:>6} us: {}, {}\n", name(end_), look.exposure.count(), words(look, Side::kLeft),
-                 words(look, Side::kRight));
+      fmt::print("{:<4} end, {:>6} us, gain {}: {}, {}\n", name(end_), look.setting.exposure.count(), look.setting.gain,
+                 words(look, Side::kLeft), words(look, Side::kRight));
+      std::fflush(stdout);  // someone waits with a target in hand
     }
   }
 
-  int conclude(microseconds exposure, const PlaceBounds& near_end) {
+  int conclude(const ExposureSetting& chosen, const PlaceBounds& near_end, const PlaceBounds& far_end) {
     const std::array<ConfigEdit, 2> edits{
-        {{"cameras", "exposure_us", exposure.count()}, {"cameras", "gain", config_.cameras.gain}}};
+        {{"cameras", "exposure_us", chosen.exposure.count()}, {"cameras", "gain", chosen.gain}}};
     if (options_.write) {
       if (const Result<void> written = edit_config_file(options_.config, edits); !written) {
         return report(written.error());
       }
     }
-    const double near_peak = kRecommendedTo * static_cast<double>(exposure.count()) / near_end.longest_us;
+    const auto exposure_us = static_cast<double>(chosen.exposure.count());
+    const double brightest = kRecommendedTo * exposure_us / near_end.longest_us;
+    const double dimmest = kRecommendedFrom * exposure_us / far_end.shortest_us;
     if (options_.json) {
       const ordered_json line = {{"setting", "measuring"},
-                                 {"exposure_us", exposure.count()},
-                                 {"gain", config_.cameras.gain},
-                                 {"near_brightest", rounded(near_peak)},
+                                 {"exposure_us", chosen.exposure.count()},
+                                 {"gain", chosen.gain},
+                                 {"near_brightest", rounded(brightest)},
+                                 {"far_dimmest", rounded(dimmest)},
+                                 {"checked_at", name(end_)},
                                  {"written", options_.write}};
       fmt::print("{}\n", line.dump());
     } else {
       fmt::print(
-          "measuring: {} us, gain {}; checked at the far end; at the near end the brightest is {:.2f} x clip\n{}",
-          exposure.count(), config_.cameras.gain, near_peak,
+          "measuring: {} us, gain {}; checked at the {} end; brightest at the near end {:.2f}, dimmest at the far end "
+          "{:.2f} x clip\n{}",
+          chosen.exposure.count(), chosen.gain, name(end_), brightest, dimmest,
           options_.write ? fmt::format("written to {}\n", options_.config.string())
                          : fmt::format("not written (--write does it); the lines are:\n{}", lines_of(edits)));
     }
@@ -165,8 +206,9 @@ class Exposing {
   const ExposeOptions& options_;
   const Config& config_;
   SystemClock clock_;
-  ExposureSight sight_;
+  std::size_t leds_;
   End end_ = End::kNear;
+  int step_ = 0;  ///< times that someone was asked to hold the target
 };
 
 Result<std::size_t> leds_of_target(const Config& config) {

@@ -73,10 +73,16 @@ void describe_running(CLI::App& app, Arguments& arguments) {
 }
 
 void describe_exposing(CLI::App& app, Arguments& arguments) {
-  CLI::App* expose = app.add_subcommand("expose", "Finds the exposure for measuring, and checks it in a picture.");
+  CLI::App* expose =
+      app.add_subcommand("expose", "Finds exposure and gain for measuring, and checks them in a picture.");
   add_configuration(*expose, arguments, "--config");
   expose->add_flag("--write", arguments.expose.write,
                    "writes exposure_us and gain into the file; else prints the lines");
+  expose
+      ->add_option("--gain", arguments.expose.gain,
+                   "keeps this gain: a higher one allows a shorter exposure; default: the lowest that is enough")
+      ->type_name("GAIN")
+      ->check(CLI::Range(0, 65535));
   expose->add_flag("--json", arguments.json, "JSON lines: each look, then what was chosen");
   expose->footer(
       "Someone holds the target at the near, then at the far end of the working volume, and presses Enter.\n"
@@ -139,7 +145,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("check-config")) return check_config_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("cameras")) return cameras_command(arguments.json);
   if (app.got_subcommand("expose")) {
-    return expose_command({arguments.config, arguments.overrides, arguments.expose.write, arguments.json});
+    const ExposeOptions& expose = arguments.expose;
+    return expose_command({arguments.config, arguments.overrides, expose.gain, expose.write, arguments.json});
   }
   if (app.got_subcommand("detect")) return detect_command(arguments.detect);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);

@@ -44,7 +44,7 @@ void check_size(TableReader& table, const ImageSize& size) {
 
 void check_exposure(TableReader& table, const CamerasConfig& cameras) {
   const double period_us = 1e6 / cameras.rate_hz;
-  if (static_cast<double>(cameras.exposure.count()) <= period_us) return;
+  if (static_cast<double>(cameras.measuring.exposure.count()) <= period_us) return;
   table.refuse("exposure_us",
                fmt::format("longer than a frame: permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
 }
@@ -72,8 +72,9 @@ CamerasConfig cameras_from(TableReader table) {
   c.size.width_px = integer(table, "width_px", {320, 1280}, c.size.width_px);
   c.size.height_px = integer(table, "height_px", {240, 720}, c.size.height_px);
   c.rate_hz = table.number("rate_hz", {15.0, 240.0}, c.rate_hz);
-  c.exposure = std::chrono::microseconds{table.integer("exposure_us", {1, 1'000'000}, c.exposure.count())};
-  c.gain = integer(table, "gain", {0, 65'535}, c.gain);
+  c.measuring.exposure =
+      std::chrono::microseconds{table.integer("exposure_us", {1, 1'000'000}, c.measuring.exposure.count())};
+  c.measuring.gain = integer(table, "gain", {0, 65'535}, c.measuring.gain);
   c.white_balance_k = integer(table, "white_balance_k", {2000, 10'000}, c.white_balance_k);
   c.focus = integer(table, "focus", {0, 65'535}, c.focus);
   c.loss_after = std::chrono::milliseconds{table.integer("loss_after_ms", {20, 10'000}, c.loss_after.count())};

@@ -32,13 +32,19 @@ struct CameraBinding {
   std::string device;  ///< /dev/videoN
 };
 
+/// What makes a camera's picture lighter or darker.
+struct ExposureSetting {
+  std::chrono::microseconds exposure{2000};
+  int gain = 0;  ///< in the camera's own unit
+  friend bool operator==(const ExposureSetting&, const ExposureSetting&) = default;
+};
+
 struct CamerasConfig {
   CameraSource source = CameraSource::kV4l2;
   ConfiguredFormat format = ConfiguredFormat::kYuyv;
   ImageSize size{640, 480};
   double rate_hz = 30.0;
-  std::chrono::microseconds exposure{2000};
-  int gain = 0;
+  ExposureSetting measuring;  ///< exposure_us and gain
   int white_balance_k = 4500;
   int focus = 0;
   std::chrono::milliseconds loss_after{100};

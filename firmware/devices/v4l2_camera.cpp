@@ -59,7 +59,8 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
                    .exposure = controls->exposure,
                    .shortest_exposure = controls->shortest_exposure,
                    .longest_exposure = controls->longest_exposure,
-                   .gain = settings.gain,
+                   .gain = controls->gain,
+                   .gains = controls->gains,
                    .missing_controls = std::move(controls->missing)};
   return camera;
 }

@@ -99,6 +99,10 @@ Result<V4l2Controls> set_controls(const V4l2Device& device, const V4l2Settings& 
     }
     const Result<void> done = set(device, setting, **description);
     if (!done) return tl::make_unexpected(done.error());
+    if (setting.id == V4L2_CID_GAIN) {
+      result.gain = setting.value;
+      result.gains = GainRange{(*description)->minimum, (*description)->maximum, std::max(1, (*description)->step)};
+    }
   }
   return result;
 }

@@ -1,11 +1,13 @@
 // Exposure, gain, white balance and focus: fixed, and read back.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "devices/v4l2_device.h"
 #include "devices/v4l2_settings.h"
+#include "ports/camera.h"
 
 namespace tripoint {
 
@@ -13,6 +15,8 @@ struct V4l2Controls {
   Duration exposure{0};           ///< as the camera rounded it
   Duration shortest_exposure{0};  ///< that the camera offers
   Duration longest_exposure{0};
+  std::optional<int> gain;  ///< as read back
+  std::optional<GainRange> gains;
   std::vector<std::string> missing;  ///< names of controls that the camera does not have
 };
 

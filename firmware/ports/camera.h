@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,14 @@
 #include "values/result.h"
 
 namespace tripoint {
+
+/// The gains that a camera offers, in its own unit.
+struct GainRange {
+  int lowest = 0;
+  int highest = 0;
+  int step = 1;
+  friend bool operator==(const GainRange&, const GainRange&) = default;
+};
 
 /// What is known about an open camera; read back from the device, not assumed.
 struct CameraInfo {
@@ -18,10 +27,11 @@ struct CameraInfo {
   ImageSize size;
   PixelFormat format = PixelFormat::kYuyv;
   double rate_hz = 0.0;
-  Duration exposure{0};           ///< 0 = not known
-  Duration shortest_exposure{0};  ///< that it offers; 0 = not known
-  Duration longest_exposure{0};   ///< the same
-  int gain = 0;
+  Duration exposure{0};                       ///< 0 = not known
+  Duration shortest_exposure{0};              ///< that it offers; 0 = not known
+  Duration longest_exposure{0};               ///< the same
+  std::optional<int> gain = {};               ///< nothing: it has none, or it is not known
+  std::optional<GainRange> gains = {};        ///< the same
   std::vector<std::string> missing_controls;  ///< that it does not have; its automatics may then change the picture
 };
 

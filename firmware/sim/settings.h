@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/rig.h"
+#include "ports/camera.h"
 #include "ports/frame.h"
 #include "sim/default_rig.h"
 #include "sim/developing.h"
@@ -40,6 +41,8 @@ struct PlannedTrouble {
   Duration to{0};
 };
 
+inline constexpr GainRange kSimulatedGains{0, 255, 1};  ///< as common webcams have them
+
 struct SimulationSettings {
   Trajectory trajectory = paper_circular();
   Scene scene = led_scene({Vec3::Zero()});
@@ -51,6 +54,7 @@ struct SimulationSettings {
   int mjpeg_quality = 90;
   double rate_hz = 30.0;
   Duration exposure{std::chrono::milliseconds{5}};
+  int gain = 0;  ///< only told, as kSimulatedGains permits: scene and sensor are given as they are with it
   Duration line_time{std::chrono::microseconds{30}};  ///< row r is exposed r times this later
   PerSide<CameraClock> clocks;
   std::vector<PlannedTrouble> troubles;

@@ -43,7 +43,8 @@ SimulatedCamera::SimulatedCamera(const SimulatedWorld& world, Side side, const C
             .format = world.settings().format,
             .rate_hz = world.settings().rate_hz,
             .exposure = world.settings().exposure,
-            .gain = 0,
+            .gain = world.settings().gain,
+            .gains = kSimulatedGains,
             .missing_controls = {}} {
   const TimePoint now = clock_.now();
   first_number_ = schedule_.newest_ready(now);

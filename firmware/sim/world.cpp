@@ -32,6 +32,9 @@ std::string wrong_timing(const SimulationSettings& settings) {
 /// The name of the first setting that no camera has, or "".
 std::string wrong_setting(const SimulationSettings& settings) {
   if (std::string timing = wrong_timing(settings); !timing.empty()) return timing;
+  if (settings.gain < kSimulatedGains.lowest || settings.gain > kSimulatedGains.highest) {
+    return "cameras.gain: simulated cameras permit 0 to 255";
+  }
   if (settings.mjpeg_quality < 1 || settings.mjpeg_quality > 100) return "mjpeg_quality: must be 1 to 100";
   if (!(settings.sensor.read_noise >= 0.0 && settings.sensor.read_noise <= 1.0)) return "read_noise: must be 0 to 1";
   if (!(settings.sensor.full_well_electrons >= 1.0)) return "full_well_electrons: must be at least 1";

@@ -39,12 +39,16 @@ def peak_at(z_mm: float, exposure_us: float) -> float:
     return 1.5 * exposure_us / 2000.0 * (400.0 / z_mm) ** 2 * spot_px2(400.0) / spot_px2(z_mm)
 
 
-def chosen(config: Path, *settings: str) -> Any:
-    """The last of the JSON lines."""
-    arguments = [argument for setting in settings for argument in ("--set", setting)]
+def looks_and_choice(config: Path, *arguments: str) -> tuple[list[Any], Any]:
+    """The JSON lines: all but the last, and the last."""
     done = exposed(config, "--json", *arguments)
     assert done.returncode == WELL, done.stderr
-    return json.loads(done.stdout.splitlines()[-1])
+    lines = [json.loads(line) for line in done.stdout.splitlines()]
+    return lines[:-1], lines[-1]
+
+
+def chosen(config: Path, *settings: str) -> Any:
+    return looks_and_choice(config, *(argument for setting in settings for argument in ("--set", setting)))[1]
 
 
 def test_the_exposure_found_is_written_and_nothing_else_changes(config: Path) -> None:
@@ -73,15 +77,44 @@ def test_twice_the_light_takes_half_the_exposure(config: Path) -> None:
 
 
 def test_gain_is_light_as_well(config: Path) -> None:
-    once, gained = chosen(config), chosen(config, "cameras.gain=64")
+    once, (_, gained) = chosen(config), looks_and_choice(config, "--gain", "64")
     assert gained["gain"] == 64
     assert gained["exposure_us"] == pytest.approx(once["exposure_us"] / 2.0, rel=0.15)
+
+
+def test_a_gain_that_is_not_needed_is_taken_back(config: Path) -> None:
+    assert chosen(config, "cameras.gain=64")["gain"] == 0
+
+
+def test_an_led_too_dim_for_the_longest_exposure_gets_as_much_gain_as_it_needs(config: Path) -> None:
+    """Near it is light enough without, so the near end is looked at again; each LED is within the range at its end."""
+    led_peak = 0.06
+    looks, last = looks_and_choice(
+        config, "--write", "--set", f"simulation.led_peak={led_peak}", "--set", "simulation.white_level=0"
+    )
+    light = led_peak / 1.5 * (1.0 + last["gain"] / 64.0)
+    assert light * peak_at(600.0, last["exposure_us"]) >= 1.0
+    assert light * peak_at(250.0, last["exposure_us"]) <= 3.0
+    assert (
+        light * peak_at(600.0, 1e6 / 30.0) <= 1.2 * 1.5
+    )  # wanted is 1.2; a look reads a third low where red just clips
+    ends = [look["end"] for look in looks]
+    assert [end for end, before in zip(ends, ["", *ends[:-1]], strict=True) if end != before] == ["near", "far", "near"]
+    assert last["checked_at"] == "near"
+    written = tomllib.loads(config.read_text(encoding="utf-8"))["cameras"]
+    assert (written["exposure_us"], written["gain"]) == (last["exposure_us"], last["gain"])
+
+
+def test_a_gain_that_the_cameras_do_not_have_is_refused_with_what_they_have(config: Path) -> None:
+    done = exposed(config, "--gain", "256")
+    assert done.returncode == USAGE
+    assert "--gain 256: the cameras permit 0 to 255" in done.stderr
 
 
 @pytest.mark.parametrize(
     ("settings", "complaint"),
     [
-        (("simulation.led_peak=0.06", "simulation.white_level=0"), "too dim even at the longest exposure"),
+        (("simulation.led_peak=0.01", "simulation.white_level=0"), "too dim even at the longest exposure"),
         (("simulation.led_peak=0.06",), "too much light around"),
         (("simulation.led_peak=9000",), "too bright even at the shortest exposure"),
         (("volume.max_mm=[200, 200, 2000]", "simulation.white_level=0.001"), "no exposure suits both ends"),

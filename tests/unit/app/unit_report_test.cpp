@@ -53,6 +53,16 @@ TEST(UnitReportTest, IsReadyOnlyWithACalibrationAndBothCameras) {
   EXPECT_FALSE(uncalibrated.state({delivering(), delivering()}, clock).flags.ready);
 }
 
+TEST(UnitReportTest, ACameraWithoutGainHasNoNumberForIt) {
+  const HeldClock clock;
+  const UnitReport report(calibrated_unit(), clock.now());
+  CameraStatus with_gain = delivering();
+  with_gain.info.gain = 16;
+  const UnitState state = report.state({with_gain, delivering()}, clock);
+  EXPECT_EQ(state.cameras.left.gain, 16.0);
+  EXPECT_EQ(state.cameras.right.gain, std::nullopt);
+}
+
 TEST(UnitReportTest, NamesTheCameraThatIsLost) {
   const HeldClock clock;
   const UnitReport report(calibrated_unit(), clock.now());

@@ -21,8 +21,8 @@ TEST(CamerasConfigTest, EveryKeyIsRead) {
   EXPECT_EQ(c.format, ConfiguredFormat::kMjpeg);
   EXPECT_EQ(c.size, (ImageSize{1280, 720}));
   EXPECT_EQ(c.rate_hz, 29.97);
-  EXPECT_EQ(c.exposure, std::chrono::microseconds{500});
-  EXPECT_EQ(c.gain, 3);
+  EXPECT_EQ(c.measuring.exposure, std::chrono::microseconds{500});
+  EXPECT_EQ(c.measuring.gain, 3);
   EXPECT_EQ(c.white_balance_k, 5000);
   EXPECT_EQ(c.focus, 10);
   EXPECT_EQ(c.loss_after, std::chrono::milliseconds{150});

@@ -21,7 +21,7 @@ TEST(ConfigTest, TheSmallestConfigurationHasTheDocumentedDefaults) {
   EXPECT_EQ(c.cameras.format, ConfiguredFormat::kYuyv);
   EXPECT_EQ(c.cameras.size, (ImageSize{640, 480}));
   EXPECT_EQ(c.cameras.rate_hz, 30.0);
-  EXPECT_EQ(c.cameras.exposure, std::chrono::microseconds{2000});
+  EXPECT_EQ(c.cameras.measuring.exposure, std::chrono::microseconds{2000});
   EXPECT_EQ(c.cameras.loss_after, std::chrono::milliseconds{100});
   EXPECT_TRUE(c.calibration_file.empty());
   EXPECT_TRUE(c.target_file.empty());

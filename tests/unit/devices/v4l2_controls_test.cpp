@@ -62,6 +62,23 @@ TEST_F(V4l2ControlsTest, TheExposuresThatTheCameraOffersAreTold) {
   EXPECT_EQ(controls->longest_exposure, std::chrono::milliseconds(500));
 }
 
+TEST_F(V4l2ControlsTest, TheGainAndTheGainsThatTheCameraOffersAreTold) {
+  driver_.controls[V4L2_CID_GAIN].minimum = 16;
+  driver_.controls[V4L2_CID_GAIN].maximum = 128;
+  const auto controls = set();
+  ASSERT_TRUE(controls) << controls.error().message;
+  EXPECT_EQ(controls->gain, 33);
+  EXPECT_EQ(controls->gains, (GainRange{16, 128, 1}));
+}
+
+TEST_F(V4l2ControlsTest, ACameraWithoutGainTellsNone) {
+  driver_.controls.erase(V4L2_CID_GAIN);
+  const auto controls = set();
+  ASSERT_TRUE(controls) << controls.error().message;
+  EXPECT_EQ(controls->gain, std::nullopt);
+  EXPECT_EQ(controls->gains, std::nullopt);
+}
+
 TEST_F(V4l2ControlsTest, AbsentControlsAreNoted) {
   driver_.controls.erase(V4L2_CID_FOCUS_AUTO);
   driver_.controls.erase(V4L2_CID_FOCUS_ABSOLUTE);

@@ -42,6 +42,8 @@ TEST_F(V4l2OpenTest, InfoIsWhatTheCameraAgreedTo) {
   EXPECT_EQ(info.exposure, std::chrono::microseconds(2000));
   EXPECT_EQ(info.shortest_exposure, std::chrono::microseconds(100));
   EXPECT_EQ(info.longest_exposure, std::chrono::milliseconds(500));
+  EXPECT_EQ(info.gain, settings_.gain);
+  EXPECT_TRUE(info.gains);
   EXPECT_NEAR(info.rate_hz, 30.0, 0.001);
   EXPECT_THAT((*camera)->info().missing_controls, ElementsAre("gain_automatic"));
 }

@@ -193,6 +193,14 @@ TEST_F(SimulatedCameraTest, CorruptYuyvIsReported) {
   EXPECT_TRUE(camera_->next_frame(milliseconds{100}));
 }
 
+TEST_F(SimulatedCameraTest, InfoTellsTheGainAndTheGainsThatCommonWebcamsHave) {
+  SimulationSettings settings = camera_settings();
+  settings.gain = 33;
+  build(settings);
+  EXPECT_EQ(camera_->info().gain, 33);
+  EXPECT_EQ(camera_->info().gains, (GainRange{0, 255, 1}));
+}
+
 TEST_F(SimulatedCameraTest, InfoSaysThatItIsSimulated) {
   build(camera_settings(), Side::kRight);
   EXPECT_EQ(camera_->info().serial, "SIM-RIGHT");

@@ -21,6 +21,8 @@ TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
       {"size", [](auto& s) { s.rig.cameras.right.size.height_px = 240; }},
       {"rate_hz", [](auto& s) { s.rate_hz = 0.0; }},
       {"exposure", [](auto& s) { s.exposure = Duration{-1}; }},
+      {"cameras.gain", [](auto& s) { s.gain = -1; }},
+      {"cameras.gain", [](auto& s) { s.gain = 256; }},
       {"line_time", [](auto& s) { s.line_time = std::chrono::microseconds{80}; }},  // 38 ms at 30 Hz
       {"mjpeg_quality", [](auto& s) { s.mjpeg_quality = 101; }},
       {"read_noise", [](auto& s) { s.sensor.read_noise = -0.1; }},
@@ -38,6 +40,12 @@ TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange) << wrong.name;
     EXPECT_NE(refused.error().message.find(wrong.name), std::string::npos) << refused.error().message;
   }
+}
+
+TEST(WorldTest, TheHighestGainIsAWorld) {
+  SimulationSettings settings;
+  settings.gain = 255;
+  EXPECT_TRUE(SimulatedWorld::create(settings));
 }
 
 TEST(WorldTest, CamerasAtOnePlaceAreNoRig) {
