@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace tripoint {
 
@@ -12,10 +13,11 @@ Admission admission_of(const ClientAddress& newcomer, std::span<const Present> p
   for (const Present& one : present) largest = std::max(largest, ++held[one.address]);
   if (largest == 0 || held[newcomer] == largest) return Admission{};
 
+  const auto heard = [](const Present& one) { return std::pair(one.has_asked, one.last_heard); };
   std::optional<std::size_t> silent;
   for (std::size_t i = 0; i < present.size(); ++i) {
     if (held[present[i].address] != largest) continue;
-    if (!silent || present[i].last_heard < present[*silent].last_heard) silent = i;
+    if (!silent || heard(present[i]) < heard(present[*silent])) silent = i;
   }
   return Admission{true, silent};
 }

@@ -14,6 +14,7 @@ namespace tripoint {
 struct Present {
   ClientAddress address;
   TimePoint last_heard{};  ///< of its last whole request, or of its arrival
+  bool has_asked = false;  ///< a whole request, ever
 };
 
 struct Admission {
@@ -22,7 +23,8 @@ struct Admission {
 };
 
 /// When full, a newcomer from the address that holds most is refused; any other takes the place of that address's
-/// longest silent one (of the longest silent of all such addresses, when several hold most).
+/// longest silent one (of the longest silent of all such addresses, when several hold most). One that never asked has
+/// been silent for longer than any that did: strangers who only connect do not drive out a client that polls.
 Admission admission_of(const ClientAddress& newcomer, std::span<const Present> present, std::size_t most);
 
 }  // namespace tripoint

@@ -59,7 +59,10 @@ void Connection::take_turn() {
   std::copy(input_.begin() + static_cast<std::ptrdiff_t>(turn_.consumed),
             input_.begin() + static_cast<std::ptrdiff_t>(have_), input_.begin());
   have_ -= turn_.consumed;
-  if (turn_.requests > 0) last_heard_ = now;
+  if (turn_.requests > 0) {
+    last_heard_ = now;
+    has_asked_ = true;
+  }
   const bool begins = !partial_ || turn_.requests > 0;
   partial_ = have_ > 0 && !turn_.more;
   if (partial_ && begins) deadline_ = now + limits_.frame;

@@ -44,6 +44,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   [[nodiscard]] const ClientAddress& address() const { return address_; }
   [[nodiscard]] TimePoint last_heard() const { return last_heard_; }
+  [[nodiscard]] bool has_asked() const { return has_asked_; }
   [[nodiscard]] TimePoint deadline() const { return deadline_; }
 
   [[nodiscard]] bool may_command() const { return may_command_; }
@@ -64,6 +65,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   const ConnectionHost& host_;
   ConnectionLimits limits_;
   TimePoint last_heard_{};
+  bool has_asked_ = false;
   TimePoint deadline_{};
   TimePoint paid_until_{};  ///< requests so far, each worth limits_.pace
   std::array<std::uint8_t, kTurnBytes> input_{};

@@ -115,7 +115,9 @@ class ModbusServer::Impl {
     const ClientAddress address = client_address_of(peer.address());
     if (!settings_.allowed_clients.empty() && !any_contains(settings_.allowed_clients, address)) return refuse();
     std::vector<Present> present;
-    for (const auto& connection : connections_) present.push_back({connection->address(), connection->last_heard()});
+    for (const auto& connection : connections_) {
+      present.push_back({connection->address(), connection->last_heard(), connection->has_asked()});
+    }
     const Admission admission = admission_of(address, present, settings_.most_connections);
     if (!admission.admitted) return refuse();
     if (admission.displaced) {

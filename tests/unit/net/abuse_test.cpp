@@ -1,4 +1,5 @@
 // What a client must not achieve: to stop, to slow or to change the server. Another client is served meanwhile.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -194,6 +195,21 @@ TEST(AbuseTest, MoreClientsThanPermittedAreRefusedAndThoseInsideAreServed) {
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(Client(served.server.port()).is_closed());
   for (const Client& client : inside) EXPECT_TRUE(client.is_served());
   EXPECT_EQ(served.server.counters().refused, 10U);
+}
+
+TEST(AbuseTest, StrangersFromManyAddressesThatOnlyConnectDoNotDriveOutAClientThatPolls) {
+  ModbusSettings settings = any_port();
+  settings.most_connections = 4;
+  Served served(settings);
+  const Client client(served.server.port());
+  ASSERT_TRUE(client.is_served());
+  std::vector<Client> strangers;
+  for (int i = 1; i <= 40; ++i) {
+    strangers.emplace_back(served.server.port(), fmt::format("127.0.1.{}", i).c_str());
+    if (i % 8 == 0) {
+      ASSERT_TRUE(client.is_served()) << "after " << i << " strangers";
+    }
+  }
 }
 
 TEST(AbuseTest, RandomBytesNeitherStopNorChangeTheServer) {

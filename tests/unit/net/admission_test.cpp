@@ -39,6 +39,11 @@ TEST(AdmissionTest, WhenAllHoldTheSameTheLongestSilentGivesWayToAStranger) {
   EXPECT_FALSE(admission_of(address("10.0.0.2"), pair, 2).admitted);
 }
 
+TEST(AdmissionTest, OneThatNeverAskedGivesWayBeforeAnyThatDid) {
+  const std::vector<Present> pair{{address("10.0.0.1"), time_from_ns(1), true}, {address("10.0.0.2"), time_from_ns(5)}};
+  EXPECT_EQ(admission_of(address("10.0.0.3"), pair, 2).displaced, 1U);
+}
+
 TEST(AdmissionTest, NoRoomAtAllAdmitsNobody) { EXPECT_FALSE(admission_of(address("10.0.0.1"), {}, 0).admitted); }
 
 }  // namespace
