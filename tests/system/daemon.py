@@ -30,6 +30,14 @@ def binary() -> str:
     return str(path)
 
 
+def renderer() -> str:
+    """The program that renders recordings; skips aloud where it was not built."""
+    path = Path(os.environ.get("TRIPOINT_RENDER", REPOSITORY / "build/bin/tripoint-render"))
+    if not path.is_file():
+        pytest.skip(f"no tripoint-render at {path}: run `make build`, or set TRIPOINT_RENDER")
+    return str(path)
+
+
 def tool(name: str) -> str:
     """Another program that a test needs; skips aloud where it is missing."""
     path = shutil.which(name)

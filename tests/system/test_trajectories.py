@@ -1,24 +1,16 @@
 """The unit's simulation and host-tool's truth are one closed form, written twice: here they are compared."""
 
 import csv
-import os
 import subprocess
 from pathlib import Path
 
 import pytest
-from system.daemon import REPOSITORY
+from system.daemon import renderer
 
 from host_tool.trajectories.paths import SCENARIOS
 
 FRAMES = 37  # no divisor of the scenarios' turning points
 ROUNDING_MM = 1e-6  # the file has six digits
-
-
-def renderer() -> str:
-    path = Path(os.environ.get("TRIPOINT_RENDER", REPOSITORY / "build/bin/tripoint-render"))
-    if not path.is_file():
-        pytest.skip(f"no tripoint-render at {path}: run `make build`, or set TRIPOINT_RENDER")
-    return str(path)
 
 
 @pytest.mark.parametrize("name", sorted(SCENARIOS))

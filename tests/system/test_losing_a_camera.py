@@ -1,0 +1,63 @@
+"""A camera that stays away for a while: no pose, the cause in the registers, and measuring resumes by itself."""
+
+import csv
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from system.daemon import daemon, renderer
+
+from host_tool.appliance.address import address_from
+from host_tool.appliance.unit import Unit, open_unit
+from host_tool.contract.blocks import Answer
+from host_tool.contract.conditions import faults_in
+
+FRAMES = 180  # 6 s
+GAP = range(75, 120)  # frames of the right camera that never came: 2.5 s to 4 s
+LIMIT_S = 10.0
+
+
+def recording_with_a_gap(folder: Path) -> Path:
+    command = [renderer(), "--frames", str(FRAMES), "--scenario", "scout", "--format", "jpg", "--out", str(folder)]
+    subprocess.run(command, check=True, timeout=120.0)
+    frames = folder / "frames.csv"
+    with frames.open(newline="", encoding="utf-8") as lines:
+        header, *rows = csv.reader(lines)
+    kept = [row for row in rows if not (row[0] == "right" and int(row[1]) in GAP)]
+    assert len(rows) - len(kept) == len(GAP)
+    frames.write_text("\n".join(",".join(row) for row in [header, *kept]) + "\n", encoding="utf-8")
+    return folder
+
+
+def wait_for(unit: Unit, condition: Callable[[Answer], bool]) -> Answer:
+    deadline_s = time.monotonic() + LIMIT_S
+    while time.monotonic() < deadline_s:
+        answer = unit.read_pose()
+        if condition(answer):
+            return answer
+        time.sleep(0.02)
+    raise AssertionError(f"not within {LIMIT_S} s; the last answer: {unit.read_pose()}")
+
+
+def without_right(answer: Answer) -> bool:
+    return "right_camera_lost" in {fault.name for fault in faults_in(answer.state.faults)}
+
+
+def test_a_lost_camera_takes_the_pose_with_it_and_brings_it_back(tmp_path: Path) -> None:
+    folder = recording_with_a_gap(tmp_path / "recording")
+    settings = ("cameras.source=recording", f"recording.folder={folder}")
+    with daemon(tmp_path / "log", *settings) as started, open_unit(address_from(started.device), 2.0) as unit:
+        wait_for(unit, lambda answer: answer.pose.position_mm is not None)
+        lost = wait_for(unit, without_right)
+        assert lost.pose.position_mm is None
+
+        def back(answer: Answer) -> bool:
+            if not without_right(answer):
+                return answer.pose.position_mm is not None
+            assert answer.state.heartbeat == lost.state.heartbeat, "the heart beats although nothing is measured"
+            assert answer.pose.position_mm is None
+            return False
+
+        wait_for(unit, back)
+    assert "camera right" in (tmp_path / "log").read_text(encoding="utf-8")
