@@ -19,6 +19,7 @@ def _of_clutter(name: str, row: str) -> list[str]:
 AT_EVERY_SIZE = {  # how a figure is called at 320x240, 640x480 and 1280x720
     "scan vs textbook": [f"scan_{size}_vs_textbook" for size in SIZES],
     "scan vs read": [f"scan_{size}_vs_read" for size in SIZES],
+    "scan in clutter vs textbook": [f"scan_clutter_{size}_vs_textbook" for size in SIZES],
     "scan in clutter vs read": [f"scan_clutter_{size}_vs_read" for size in SIZES],
     "detect vs textbook": [f"detect_{size}_vs_textbook" for size in SIZES],
     "detect in clutter vs textbook": [f"detect_clutter_{size}_vs_textbook" for size in SIZES],
