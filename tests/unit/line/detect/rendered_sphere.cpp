@@ -90,4 +90,10 @@ bench::YuyvPicture picture_of(const std::vector<Sphere>& spheres, const Pinhole&
   return developed(painting, seed);
 }
 
+std::string causes(const SphereDetector& detector) {
+  std::string text;
+  for (const Candidate& candidate : detector.candidates()) text += std::string(name(candidate.cause)) + " ";
+  return text;
+}
+
 }  // namespace tripoint::test

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "bench/painter.h"
+#include "line/detect/sphere_detector.h"
 #include "values/linear.h"
 #include "values/pixel.h"
 
@@ -40,5 +42,8 @@ bench::YuyvPicture picture_of(const std::vector<Sphere>& spheres, const Pinhole&
 
 /// With the noise of this seed.
 bench::YuyvPicture developed(const bench::Painting& painting, std::uint32_t seed = 1);
+
+/// What is said of each candidate of the last picture, in their order.
+std::string causes(const SphereDetector& detector);
 
 }  // namespace tripoint::test

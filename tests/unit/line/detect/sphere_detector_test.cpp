@@ -18,17 +18,12 @@ namespace {
 
 using bench::Ellipse;
 using bench::Painting;
+using test::causes;
 using test::Pinhole;
 using test::Sphere;
 
 constexpr double kDegree_rad = std::numbers::pi / 180.0;
 const Pinhole kCamera;
-
-std::string causes(const SphereDetector& detector) {
-  std::string text;
-  for (const Candidate& candidate : detector.candidates()) text += std::string(name(candidate.cause)) + " ";
-  return text;
-}
 
 /// The centre of the ellipse that is its outline: see SphereDetector.
 RawPixel outline_center(const Sphere& sphere) {

@@ -17,16 +17,11 @@ namespace {
 
 using bench::Ellipse;
 using bench::Painting;
+using test::causes;
 using test::Pinhole;
 using test::Sphere;
 
 const Pinhole kCamera;
-
-std::string causes(const SphereDetector& detector) {
-  std::string text;
-  for (const Candidate& candidate : detector.candidates()) text += std::string(name(candidate.cause)) + " ";
-  return text;
-}
 
 /// What is said of the only candidate.
 std::string cause_of(const bench::YuyvPicture& picture, const SphereSettings& settings = {}) {
