@@ -54,6 +54,7 @@ CONNECTIONS = """\
 | until the client has taken its answer | {write_ms} ms | closed |
 | without any request | {idle_ms} ms | closed |
 | requests of one connection, sustained | one each {pace_us} us, after up to {burst} at once | the next answer waits |
+| work of the server, all clients together | half of a processor | answers come some milliseconds later |
 | not Modbus TCP: protocol id other than 0, length outside 2 to 254 | | closed |
 
 An address has no fixed share. When all connections are taken, a newcomer from the address that holds most is refused;

@@ -1,7 +1,8 @@
-// Figures of the Modbus server: torn reads, and how long 64 clients that poll at 50 Hz wait for their answers.
+// Figures of the Modbus server: torn reads, and how long clients that poll at 50 Hz wait for their answers: 64 of them,
+// and eight while others abuse the server.
 //
-// usage: bench_modbus                             against a server of its own
-//        bench_modbus --connect PORT --seconds S  only the waiting, against a running tripointd
+// usage: bench_modbus                             torn reads, with a server of its own
+//        bench_modbus --connect PORT --seconds S  the waiting, with a running tripointd
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <thread>
 
 #include "bench/figure.h"
+#include "bench/modbus_abuse.h"
 #include "bench/modbus_load.h"
 #include "devices/realtime.h"
 #include "net/modbus_server.h"
@@ -17,6 +19,7 @@ namespace tripoint::bench {
 namespace {
 
 constexpr std::uint64_t kReads = 1'000'000;
+constexpr auto kPublishingPeriod = std::chrono::microseconds(20);
 constexpr std::int64_t kExposureStep_ns = 1'000;  // of one sequence number: so time tells the sequence
 constexpr int kServerPriority = 20;
 constexpr int kClientPriority = 10;  // a PLC has its own processor: its own delays are not the server's
@@ -55,33 +58,33 @@ bool is_whole(std::span<const std::uint16_t> answer) {
          number_at(answer, 114, 2) == 500'000U + x_um;
 }
 
-/// A server with a publisher beside it.
+/// A server that does not hold its clients back, with a publisher beside it.
 class Unit {
  public:
-  Unit(Duration publishing_period, Duration request_pace)
+  Unit()
       : epoch_(monotonic_now()),
         publication_(state_of(1, epoch_)),
-        server_(open(request_pace)),
+        server_(open()),
         serving_([this](const std::stop_token& stop) {
           if (const auto note = take_realtime_priority(kServerPriority); !note) {
             std::fprintf(stderr, "%s\n", note.error().message.c_str());
           }
           server_.run(stop);
         }),
-        publishing_([this, publishing_period](const std::stop_token& stop) {
+        publishing_([this](const std::stop_token& stop) {
           for (std::uint32_t sequence = 2; !stop.stop_requested(); ++sequence) {
             publication_.publish(state_of(sequence, epoch_), monotonic_now());
-            std::this_thread::sleep_for(publishing_period);
+            std::this_thread::sleep_for(kPublishingPeriod);
           }
         }) {}
 
   [[nodiscard]] std::uint16_t port() const { return server_.port(); }
 
  private:
-  ModbusServer open(Duration request_pace) {
+  ModbusServer open() {
     ModbusSettings settings;
     settings.port = 0;
-    settings.request_pace = request_pace;
+    settings.request_pace = Duration{0};
     return ModbusServer::open(settings, responder_, monotonic_now).value();
   }
 
@@ -94,7 +97,7 @@ class Unit {
 };
 
 Figure torn_reads() {
-  const Unit unit(std::chrono::microseconds(20), Duration{0});
+  const Unit unit;
   const LoadPlan plan{unit.port(), 32, std::chrono::microseconds(0), std::chrono::seconds(120), kReads};
   const LoadResult result = load(plan, is_whole).value();
   if (result.times_ms.size() < kReads || result.lost > 0) {
@@ -105,25 +108,44 @@ Figure torn_reads() {
   return at_most({.name = "torn_reads", .value = static_cast<double>(result.torn), .unit = "reads"}, 0.0);
 }
 
-Figure waiting(std::uint16_t port, std::chrono::seconds duration) {
-  (void)take_realtime_priority(kClientPriority);  // without it the figure only gets worse
-  LoadPlan plan;
-  plan.port = port;
-  plan.duration = duration;
-  const auto result = load(plan, sequences_agree);
-  if (!result || result->lost > 0 || result->torn > 0 || result->times_ms.size() < 100) {
-    std::fprintf(stderr, "bench_modbus: %s\n", result ? "answers were lost or torn" : result.error().message.c_str());
-    std::exit(1);
+/// Round trips under a load in which no answer may be lost or torn.
+class Waiting {
+ public:
+  Waiting(const LoadPlan& plan, const char* label) : times_ms_(times_under(plan)) {
+    std::fprintf(stderr, "%s: %zu answers, p50 %.3f ms, p99 %.3f ms, largest %.3f ms\n", label, times_ms_.size(),
+                 at(0.5), at(0.99), at(1.0));
   }
-  std::vector<float> times_ms = result->times_ms;
-  const auto at = [&](double share) {
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(times_ms.size() - 1));
-    std::nth_element(times_ms.begin(), times_ms.begin() + place, times_ms.end());
-    return static_cast<double>(times_ms[static_cast<std::size_t>(place)]);
-  };
-  std::fprintf(stderr, "modbus: %zu answers, p50 %.3f ms, p99 %.3f ms, largest %.3f ms\n", times_ms.size(), at(0.5),
-               at(0.99), at(1.0));
-  return at_most({.name = "modbus_64_clients_p99_ms", .value = at(0.99), .unit = "ms"}, 5.0);
+
+  [[nodiscard]] double at(double share) {
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(times_ms_.size() - 1));
+    std::nth_element(times_ms_.begin(), times_ms_.begin() + place, times_ms_.end());
+    return static_cast<double>(times_ms_[static_cast<std::size_t>(place)]);
+  }
+
+ private:
+  static std::vector<float> times_under(const LoadPlan& plan) {
+    (void)take_realtime_priority(kClientPriority);  // without it the figure only gets worse
+    const auto result = load(plan, sequences_agree);
+    if (!result || result->lost > 0 || result->torn > 0 || result->times_ms.size() < 100) {
+      std::fprintf(stderr, "bench_modbus: %s\n", result ? "answers were lost or torn" : result.error().message.c_str());
+      std::exit(1);
+    }
+    return result->times_ms;
+  }
+
+  std::vector<float> times_ms_;
+};
+
+Figure waiting(std::uint16_t port, std::chrono::seconds duration) {
+  Waiting waiting({.port = port, .duration = duration}, "modbus");
+  return at_most({.name = "modbus_64_clients_p99_ms", .value = waiting.at(0.99), .unit = "ms"}, 5.0);
+}
+
+/// Connections of the abusers and of those who are timed stay below what the server takes.
+Figure waiting_under_abuse(std::uint16_t port, std::chrono::seconds duration) {
+  const Abuse abuse(port);
+  Waiting waiting({.port = port, .clients = 8, .duration = duration}, "modbus under abuse");
+  return at_most({.name = "modbus_abuse_largest_ms", .value = waiting.at(1.0), .unit = "ms"}, 100.0);
 }
 
 int run(int count, char** words) {
@@ -141,10 +163,9 @@ int run(int count, char** words) {
   std::vector<Figure> figures;
   if (port == 0) {
     figures.push_back(torn_reads());
-    const Unit unit(std::chrono::milliseconds(16), ModbusSettings{}.request_pace);
-    figures.push_back(waiting(unit.port(), duration));
   } else {
     figures.push_back(waiting(port, duration));
+    figures.push_back(waiting_under_abuse(port, duration));
   }
   print(figures);
   return 0;

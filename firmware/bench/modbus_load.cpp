@@ -1,13 +1,12 @@
 #include "bench/modbus_load.h"
 
-#include <arpa/inet.h>
-#include <netinet/tcp.h>
 #include <sys/epoll.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+
+#include "bench/loopback_socket.h"
 
 namespace tripoint::bench {
 namespace {
@@ -21,35 +20,21 @@ constexpr std::array<std::uint8_t, 12> kRequest{0, 1, 0, 0, 0, 6, 255, 3, 0, 32,
 
 class Poller {
  public:
-  explicit Poller(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(port);
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const int one = 1;
-    setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
-    open_ = connect(socket_, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
-  }
-  Poller(const Poller&) = delete;
-  Poller& operator=(const Poller&) = delete;
-  ~Poller() { ::close(socket_); }
+  explicit Poller(std::uint16_t port) : socket_(port) {}
 
-  [[nodiscard]] int socket() const { return socket_; }
-  [[nodiscard]] bool open() const { return open_; }
+  [[nodiscard]] int descriptor() const { return socket_.descriptor(); }
+  [[nodiscard]] bool open() const { return socket_.open(); }
   [[nodiscard]] bool waiting() const { return waiting_; }
 
   void ask(Clock::time_point due) {
     due_ = due;
     waiting_ = true;
-    open_ = ::send(socket_, kRequest.data(), kRequest.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(kRequest.size());
+    socket_.send(kRequest);
   }
 
   /// @return true when the answer is whole
   bool take() {
-    const ssize_t got = recv(socket_, answer_.data() + have_, answer_.size() - have_, MSG_DONTWAIT);
-    if (got == 0) open_ = false;
-    if (got <= 0) return false;
-    have_ += static_cast<std::size_t>(got);
+    have_ += socket_.receive(std::span(answer_).subspan(have_));
     if (have_ < kAnswer) return false;
     have_ = 0;
     waiting_ = false;
@@ -71,8 +56,7 @@ class Poller {
   Clock::time_point next{};  ///< when the next request is due
 
  private:
-  int socket_;
-  bool open_ = false;
+  LoopbackSocket socket_;
   bool waiting_ = false;
   Clock::time_point due_{};
   std::array<std::uint8_t, kAnswer> answer_{};
@@ -126,7 +110,7 @@ Result<LoadResult> load(const LoadPlan& plan, const AnswerCheck& check) {
     epoll_event event{};
     event.events = EPOLLIN;
     event.data.u32 = static_cast<std::uint32_t>(i);
-    epoll_ctl(epoll, EPOLL_CTL_ADD, pollers.back()->socket(), &event);
+    epoll_ctl(epoll, EPOLL_CTL_ADD, pollers.back()->descriptor(), &event);
   }
   LoadResult result;
   while (Clock::now() - start < plan.duration && result.times_ms.size() < plan.most_answers) {

@@ -10,6 +10,7 @@ namespace tripoint {
 namespace {
 
 constexpr std::array<ImageSize, 3> kSizes{{{320, 240}, {640, 480}, {1280, 720}}};
+constexpr std::int64_t kLongestLoss_ms = 10'000;
 
 int integer(TableReader& table, std::string_view key, Permitted<std::int64_t> permitted, int otherwise) {
   return static_cast<int>(table.integer(key, permitted, otherwise));
@@ -52,8 +53,9 @@ void check_exposure(TableReader& table, const CamerasConfig& cameras) {
 void check_loss(TableReader& table, const CamerasConfig& cameras) {
   const double shortest_ms = 1.5e3 / cameras.rate_hz;
   if (static_cast<double>(cameras.loss_after.count()) >= shortest_ms) return;
-  table.refuse("loss_after_ms", fmt::format("shorter than one and a half frames: permitted at {} Hz is from {:.0f}",
-                                            cameras.rate_hz, std::ceil(shortest_ms)));
+  table.refuse("loss_after_ms",
+               fmt::format("shorter than one and a half frames: permitted at {} Hz is from {:.0f} to {}",
+                           cameras.rate_hz, std::ceil(shortest_ms), kLongestLoss_ms));
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ CamerasConfig cameras_from(TableReader table) {
   c.measuring.gain = integer(table, "gain", {0, 65'535}, c.measuring.gain);
   c.white_balance_k = integer(table, "white_balance_k", {2000, 10'000}, c.white_balance_k);
   c.focus = integer(table, "focus", {0, 65'535}, c.focus);
-  c.loss_after = std::chrono::milliseconds{table.integer("loss_after_ms", {20, 10'000}, c.loss_after.count())};
+  c.loss_after = std::chrono::milliseconds{table.integer("loss_after_ms", {20, kLongestLoss_ms}, c.loss_after.count())};
   for (const Side side : kBothSides) c.bindings[side] = binding_from(table.table(name(side)));
   check_size(table, c.size);
   check_exposure(table, c);

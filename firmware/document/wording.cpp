@@ -83,7 +83,7 @@ std::string nearest_of(std::string_view key, const std::vector<std::string>& kno
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edits_between(key, a) < edits_between(key, b);
   });
-  if (edits_between(key, *nearest) <= std::max<std::size_t>(2, key.size() / 2)) {
+  if (edits_between(key, *nearest) <= std::max<std::size_t>(2, key.size() / 3)) {
     return fmt::format(" (did you mean {}?)", *nearest);
   }
   return fmt::format("; permitted is {}", fmt::join(known, ", "));

@@ -8,11 +8,14 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <ctime>
+#include <thread>
 #include <utility>
 
 #include "net/admission.h"
 #include "net/asio_address.h"
 #include "net/connection.h"
+#include "net/work_share.h"
 
 namespace tripoint {
 namespace {
@@ -41,6 +44,12 @@ Error open_error(const ModbusSettings& settings, const error_code& error) {
     return {ErrorCode::kOutOfRange, where + "not an address of this machine; set modbus.address"};
   }
   return {ErrorCode::kDeviceFault, where + error.message()};
+}
+
+Duration processor_time_of_thread() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + Duration{time.tv_nsec};
 }
 
 Duration sweep_period(const ModbusSettings& settings) {
@@ -76,12 +85,15 @@ class ModbusServer::Impl {
     accept();
     sweep();
     const std::stop_callback on_stop(stop, [this] { io_.stop(); });
+    WorkShare share;
     while (!io_.stopped()) {
       try {
-        io_.run();
+        io_.run_one();
       } catch (const std::exception&) {
         ++counters_.internal;  // out of memory: the client it befell is swept at its deadline, the others go on
       }
+      const Duration rest = share.rest_after(processor_time_of_thread(), now_());
+      if (rest > Duration{0}) std::this_thread::sleep_for(rest);
     }
   }
 

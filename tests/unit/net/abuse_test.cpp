@@ -10,6 +10,7 @@
 #include <string>
 
 #include "client.h"
+#include "net/work_share.h"
 #include "served.h"
 
 namespace tripoint {
@@ -153,27 +154,42 @@ TEST(AbuseTest, UnknownFunctionsOfAnyLengthAreAnsweredAndCostNobodyTime) {
   EXPECT_LT(bystander.median().value_or(kStalled), kStalled);
 }
 
+/// A client that asks as fast as it can, until it is destroyed.
+std::jthread flood(std::uint16_t port) {
+  return std::jthread([port](const std::stop_token& stop) {
+    const Client client(port);
+    Bytes many;
+    for (int k = 0; k < 100; ++k) {
+      const Bytes one = pose_request();
+      many.insert(many.end(), one.begin(), one.end());
+    }
+    while (!stop.stop_requested()) {
+      client.send(many);
+      (void)client.receive(kPoseAnswerBytes * 100, milliseconds(5));
+    }
+  });
+}
+
 TEST(AbuseTest, AFloodOfPipelinedRequestsDoesNotStarveOthers) {
   Served served;
   Bystander bystander(served.server.port());
   std::vector<std::jthread> floods;
-  for (int i = 0; i < 4; ++i) {
-    floods.emplace_back([port = served.server.port()](const std::stop_token& stop) {
-      const Client client(port);
-      Bytes many;
-      for (int k = 0; k < 100; ++k) {
-        const Bytes one = pose_request();
-        many.insert(many.end(), one.begin(), one.end());
-      }
-      while (!stop.stop_requested()) {
-        client.send(many);
-        (void)client.receive(kPoseAnswerBytes * 100, milliseconds(5));
-      }
-    });
-  }
+  for (int i = 0; i < 4; ++i) floods.push_back(flood(served.server.port()));
   std::this_thread::sleep_for(milliseconds(500));
   floods.clear();
   EXPECT_LT(bystander.median().value_or(kStalled), kStalled);
+}
+
+TEST(AbuseTest, AFloodLeavesHalfOfAProcessorToTheMeasuring) {
+  ModbusSettings settings = any_port();
+  settings.request_pace = Duration{0};  // nothing else holds the flood back
+  Served served(settings);
+  std::vector<std::jthread> floods;  // enough that the server always has something to do
+  for (int i = 0; i < 4; ++i) floods.push_back(flood(served.server.port()));
+  const TimePoint start = monotonic_now();
+  std::this_thread::sleep_for(milliseconds(500));
+  const Duration worked = served.processor_time();
+  EXPECT_LT(worked, (monotonic_now() - start) / 2 + 2 * WorkShare::kMostSaved);
 }
 
 TEST(AbuseTest, OpeningAndLeavingConnectionsDoesNotWearTheServerOut) {

@@ -1,7 +1,10 @@
 // A server on a free port of the loopback network, run by a thread of its own as in the unit.
 #pragma once
 
+#include <pthread.h>
+
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -33,6 +36,15 @@ class Served {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return false;
+  }
+
+  /// What the server's thread has worked so far.
+  [[nodiscard]] Duration processor_time() {
+    clockid_t clock{};
+    timespec time{};
+    pthread_getcpuclockid(thread_.native_handle(), &clock);
+    clock_gettime(clock, &time);
+    return std::chrono::seconds(time.tv_sec) + Duration{time.tv_nsec};
   }
 
   Publication publication{UnitState{}};
