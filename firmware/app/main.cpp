@@ -18,15 +18,6 @@
 namespace tripoint {
 namespace {
 
-bool processor_is_supported() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  return __builtin_cpu_supports("sse4.2") != 0 && __builtin_cpu_supports("popcnt") != 0;
-#else
-  return true;
-#endif
-}
-
 struct Arguments {
   std::filesystem::path config;
   std::vector<std::string> overrides;
@@ -195,10 +186,6 @@ int run_program(int argc, char** argv) {
 }  // namespace tripoint
 
 int main(int argc, char** argv) {
-  if (!tripoint::processor_is_supported()) {
-    std::fputs("tripointd: this processor is older than x86-64-v2 (needs SSE4.2 and POPCNT)\n", stderr);
-    return tripoint::number(tripoint::ExitCode::kUsage);
-  }
   try {
     return tripoint::code_with_output_written(tripoint::run_program(argc, argv));
   } catch (const std::exception& error) {

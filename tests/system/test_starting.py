@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -9,7 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from system.daemon import CONFIG, STOP_S, TIMEOUT_S, binary, daemon, finished
+from system.daemon import CONFIG, STOP_S, TIMEOUT_S, binary, daemon, finished, renderer
 
 from host_tool.appliance.modbus import ModbusLink, Table
 from host_tool.errors import DeviceError
@@ -42,6 +43,24 @@ def test_the_threads_that_are_waited_for_have_real_time_priority(tmp_path: Path)
             os.sched_getparam(each).sched_priority for each in threads if os.sched_getscheduler(each) == os.SCHED_FIFO
         ]
     assert len(urgent) == 2, "measuring and Modbus, and no camera: detection may take as long as a picture"
+
+
+@pytest.mark.parametrize("processor", ["qemu64", "Nehalem"])
+def test_a_processor_that_is_too_old_is_refused_with_a_sentence(processor: str) -> None:
+    """qemu64 has SSE3, as the processors of 2005; Nehalem is the oldest of x86-64-v2."""
+    emulator = shutil.which("qemu-x86_64")
+    if emulator is None:
+        pytest.skip("qemu-user is not installed")
+    for program in (binary(), renderer()):
+        ran = subprocess.run(
+            [emulator, "-cpu", processor, program, "--help"],
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT_S,
+            check=False,
+        )
+        assert ran.returncode == (2 if processor == "qemu64" else 0)
+        assert ("older than x86-64-v2" in ran.stderr) == (processor == "qemu64")
 
 
 def test_the_demos_configuration_is_valid() -> None:

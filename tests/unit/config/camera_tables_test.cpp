@@ -53,6 +53,11 @@ TEST(CamerasConfigTest, TheExposureFitsIntoAFrame) {
   EXPECT_THAT(message_with({"cameras.rate_hz=25", "cameras.exposure_us=40001"}), HasSubstr("up to 40000"));
 }
 
+TEST(CamerasConfigTest, LossIsNotSaidBeforeTheNextFrameCanCome) {
+  EXPECT_EQ(message_with({"cameras.rate_hz=30", "cameras.loss_after_ms=50"}), "");
+  EXPECT_THAT(message_with({"cameras.rate_hz=30", "cameras.loss_after_ms=49"}), HasSubstr("from 50 to 10000"));
+}
+
 TEST(DetectorConfigTest, LedsOnGreyAreAnErrorThatSaysWhy) {
   EXPECT_THAT(message_with({"cameras.format=grey"}),
               HasSubstr("cameras.format = grey: red LEDs and spheres cannot be told from other things without colour"));
