@@ -1,9 +1,12 @@
 #include "config/target_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numbers>
 
+#include "config/target_shape.h"
 #include "document/file.h"
 #include "document/table_reader.h"
 
@@ -12,7 +15,7 @@ namespace {
 
 constexpr std::string_view kFormat = "tripoint-target/1";
 constexpr std::size_t kMostMembers = 12;  // of the points block, registers 502 to 621
-constexpr double kLeastDistanceMm = 1.0;
+constexpr double kFarthest_mm = 1000.0;
 constexpr Permitted<double> kPlaceMm{-10'000.0, 10'000.0};
 constexpr Permitted<double> kRotationRad{-std::numbers::pi, std::numbers::pi};
 
@@ -23,7 +26,8 @@ bool new_id(const std::vector<Member>& members, int id) {
 
 bool apart(const std::vector<TargetFilePoint>& points, const Vec3& position_mm) {
   return std::all_of(points.begin(), points.end(), [&](const TargetFilePoint& point) {
-    return (point.position_mm - position_mm).norm() >= kLeastDistanceMm;
+    const double distance_mm = (point.position_mm - position_mm).norm();
+    return distance_mm >= kAlike_mm && distance_mm < kFarthest_mm;
   });
 }
 
@@ -46,7 +50,10 @@ std::vector<TargetFilePoint> points_from(TableReader& root) {
     point.uncertainty_mm = table.number("uncertainty_mm", {0.0, 10.0}, point.uncertainty_mm);
     point.facing = facing_from(table);
     if (!new_id(points, point.id)) table.refuse("id", "permitted is each id once");
-    if (!apart(points, point.position_mm)) table.refuse("position_mm", "permitted is 1 mm or more from other points");
+    if (!apart(points, point.position_mm)) {
+      table.refuse("position_mm", fmt::format("permitted is {} mm or more, and less than {} mm, from other points",
+                                              kAlike_mm, kFarthest_mm));
+    }
     table.finish();
     points.push_back(point);
   }
@@ -71,6 +78,13 @@ std::vector<TargetFileTag> tags_from(TableReader& root) {
   }
   if (tags.empty() || tags.size() > kMostMembers) root.refuse("tags", "permitted is 1 to 12 tags");
   return tags;
+}
+
+/// To be asked when nothing else is wrong.
+void check_shape(TableReader& root, const TargetFile& target) {
+  std::vector<Vec3> places_mm;
+  for (const TargetFilePoint& point : target.points) places_mm.push_back(point.position_mm);
+  if (const auto fault = shape_fault(places_mm, target.facing)) root.refuse("points", *fault);
 }
 
 }  // namespace
@@ -99,6 +113,7 @@ Result<TargetFile> parse_target(std::string_view text, std::string_view file_nam
   }
   target.facing = facing_from(root);
   root.finish();
+  if (!findings.error()) check_shape(root, target);
   if (findings.error()) return tl::make_unexpected(*findings.error());
   target.sha256 = sha256(text);
   return target;

@@ -46,7 +46,7 @@ TargetFile single_led();
 /// Reads format "tripoint-target/1".
 ///
 /// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange naming file, line, key and what is permitted; ids are
-///         unique, points are at least 1 mm apart, a single point lies at the origin
+///         unique, points lie apart but not far, a single one at the origin, three or more as `shape_fault` asks
 Result<TargetFile> parse_target(std::string_view text, std::string_view file_name);
 
 /// @return kCannotRead, or as parse_target

@@ -15,9 +15,11 @@ std::string point(int id, const std::string& position) {
   return "[[points]]\nid = " + std::to_string(id) + "\nposition_mm = " + position + "\n";
 }
 
+/// On a parabola, which no turn brings onto itself.
 std::string points(int count) {
   std::string text = kHead;
-  for (int i = 1; i <= count; ++i) text += point(i, "[" + std::to_string(10 * i) + ", 0, 0]");
+  for (int i = 1; i <= count; ++i)
+    text += point(i, "[" + std::to_string(10 * i) + ", " + std::to_string(i * i) + ", 0]");
   return text;
 }
 
@@ -68,8 +70,32 @@ TEST(TargetFileTest, AnIdTwiceIsAnError) {
 }
 
 TEST(TargetFileTest, PointsInOnePlaceAreAnError) {
-  EXPECT_EQ(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[1, 0, 0]")), "");
-  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[0.99, 0, 0]")), HasSubstr("1 mm or more"));
+  EXPECT_EQ(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[2.5, 0, 0]")), "");
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[2.49, 0, 0]")), HasSubstr("2.5 mm or more"));
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[0, 0, 0]")), HasSubstr("t.toml:8: points[1]"));
+}
+
+TEST(TargetFileTest, PointsAMetreApartAreAnError) {
+  EXPECT_EQ(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[999, 0, 0]")), "");
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[1000, 0, 0]")), HasSubstr("less than 1000 mm"));
+}
+
+TEST(TargetFileTest, PlacesThatAreNoNumbersAreAnError) {
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[nan, 0, 0]")), HasSubstr("t.toml:8: points[1]"));
+  EXPECT_THAT(message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[inf, 0, 0]")), HasSubstr("3 numbers"));
+}
+
+TEST(TargetFileTest, AShapeThatDoesNotTellWhichIsWhichIsAnErrorWithARemedy) {
+  const std::string message =
+      message_of(kHead + point(1, "[0, 0, 0]") + point(2, "[60, 0, 0]") + point(3, "[30, 40, 0]"));
+  EXPECT_THAT(message, HasSubstr("t.toml:3: points: an isosceles triangle"));
+  EXPECT_THAT(message, HasSubstr("; move points[2] to ["));
+}
+
+TEST(TargetFileTest, AnotherErrorIsSaidBeforeTheShape) {
+  EXPECT_THAT(
+      message_of(kHead + "colour = 1\n" + point(1, "[0, 0, 0]") + point(2, "[60, 0, 0]") + point(3, "[30, 40, 0]")),
+      HasSubstr("unknown key colour"));
 }
 
 TEST(TargetFileTest, TagsAreRead) {
