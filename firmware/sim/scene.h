@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/chessboard.h"
 #include "values/linear.h"
 #include "values/side.h"
 
@@ -68,6 +69,7 @@ struct Scene {
   std::vector<LightSource> lights;
   std::vector<Surface> surfaces{Surface{}};  ///< painted in this order where they are equally far; the far ones first
   double white_level = 0.05;                 ///< of a white surface, in units of clip
+  std::optional<Chessboard> board = std::nullopt;  ///< before all surfaces; lights are not hidden by it
 };
 
 /// LEDs with ids 1, 2, ... at these places of the target, before a textured grey wall.

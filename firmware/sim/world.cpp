@@ -59,6 +59,10 @@ SimulatedWorld::SimulatedWorld(SimulationSettings settings, TimePoint start, Rig
     const CameraModel& camera = rig_.cameras[side];
     figures_[side] = figures_of(settings_.scene, camera, rig_.camera_from_rig[side], blur_px);
     backgrounds_[side] = painted(settings_.scene, figures_[side], camera.size, normal_);
+    if (settings_.scene.board) {
+      const BoardView view{.camera = camera, .camera_from_reference = rig_.camera_from_rig[side], .blur_px = blur_px};
+      paint_chessboard(backgrounds_[side], *settings_.scene.board, view, settings_.scene.white_level, normal_);
+    }
     hot_pixels_[side] =
         tripoint::hot_pixels(settings_.sensor, camera.size, 2 * settings_.seed + (side == Side::kLeft ? 0 : 1));
     for (const std::size_t pixel : hot_pixels_[side]) {
