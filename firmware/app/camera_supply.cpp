@@ -164,4 +164,14 @@ Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, cons
   });
 }
 
+Result<PerSide<OpenCamera>> cameras_before_board(const Config& config, const Clock& clock) {
+  if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, clock);
+  return simulation_settings(config).and_then([&](SimulationSettings settings) {
+    settings.scene.lights.clear();
+    settings.scene.board.emplace().reference_from_board.translation() =
+        0.5 * (config.volume.min_mm + config.volume.max_mm);
+    return simulated_cameras(settings, clock);
+  });
+}
+
 }  // namespace tripoint

@@ -22,6 +22,12 @@ Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clo
 Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,
                                                       const Vec3& place_in_reference_mm);
 
+/// As camera_supply, but simulated cameras see a calibration board, held still in the middle of the working volume,
+/// and no LED.
+///
+/// @param clock must outlive the cameras
+Result<PerSide<OpenCamera>> cameras_before_board(const Config& config, const Clock& clock);
+
 /// True when nothing real is measured.
 constexpr bool is_simulated(CameraSource source) { return source != CameraSource::kV4l2; }
 

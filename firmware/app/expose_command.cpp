@@ -2,17 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/calibrating_exposure.h"
 #include "app/camera_pair.h"
 #include "app/camera_supply.h"
 #include "app/exit_code.h"
 #include "app/exposure_sight.h"
 #include "app/unit_setup.h"
-#include "config/edited_config.h"
 #include "config/target_file.h"
 #include "devices/system_clock.h"
 #include "line/detect/exposure_margin.h"
@@ -35,8 +33,6 @@ std::string words(const Look& look, Side side) {
   return fmt::format("{} {:.2f} to {:.2f} x clip", name(side), peaks->dimmest, peaks->brightest);
 }
 
-double rounded(double peak) { return std::round(1000.0 * peak) / 1000.0; }
-
 ordered_json json_of(const Look& look, Side side) {
   const std::optional<SeenPeaks>& peaks = look.peaks[side];
   if (!peaks) return nullptr;
@@ -52,21 +48,6 @@ bool suits(const Look& look) {
     }
   }
   return true;
-}
-
-/// How the program ends when the search did not: what was seen is a verdict, all else an error.
-int refused(const Error& error) {
-  const int code = report(error);
-  const bool verdict = error.code == ErrorCode::kOutOfRange || error.code == ErrorCode::kTimeout;
-  return verdict ? number(ExitCode::kNo) : code;
-}
-
-Result<GainRange> only(int gain, const GainRange& offered) {
-  const bool permitted =
-      gain >= offered.lowest && gain <= offered.highest && (gain - offered.lowest) % offered.step == 0;
-  if (permitted) return GainRange{gain, gain, 1};
-  return failure(ErrorCode::kOutOfRange, fmt::format("--gain {}: the cameras permit {} to {} in steps of {}", gain,
-                                                     offered.lowest, offered.highest, offered.step));
 }
 
 /// One finding of the setting `measuring`.
@@ -113,13 +94,8 @@ class Exposing {
   }
 
   Result<ExposureOffer> offer() {
-    const Result<CameraPair> cameras = opened(config_.cameras.measuring);
-    if (!cameras) return tl::make_unexpected(cameras.error());
-    ExposureOffer offered = cameras->offered();
-    if (!options_.gain) return offered;
-    return only(*options_.gain, offered.gains).map([&](const GainRange& gains) {
-      offered.gains = gains;
-      return offered;
+    return opened(config_.cameras.measuring).and_then([&](const CameraPair& cameras) {
+      return offer_with_gain(cameras.offered(), options_.gain);
     });
   }
 
@@ -141,13 +117,11 @@ class Exposing {
     const double z_mm = end_ == End::kNear ? config_.volume.min_mm.z() : config_.volume.max_mm.z();
     const std::string which =
         step_ <= 2 ? fmt::format("Step {} of 2", step_) : "Once more, because the far end needs a higher gain";
-    fmt::print(stderr,
-               "{}: hold the target at the {} end of the working volume (z = {:.0f} mm), LEDs on and towards the "
-               "cameras; press Enter, and keep it still until the next line that asks for something.\n",
-               which, name(end_), z_mm);
-    std::string line;
-    if (std::getline(std::cin, line)) return {};
-    return failure(ErrorCode::kCannotRead, "nobody pressed Enter: someone has to hold the target and say when");
+    return asked(
+        fmt::format("{}: hold the target at the {} end of the working volume (z = {:.0f} mm), LEDs on and towards the "
+                    "cameras; press "
+                    "Enter, and keep it still until the next line that asks for something.",
+                    which, name(end_), z_mm));
   }
 
   Result<Look> look_at(const ExposureSetting& setting) {
@@ -173,13 +147,8 @@ class Exposing {
   }
 
   int conclude(const ExposureSetting& chosen, const PlaceBounds& near_end, const PlaceBounds& far_end) {
-    const std::array<ConfigEdit, 2> edits{
-        {{"cameras", "exposure_us", chosen.exposure.count()}, {"cameras", "gain", chosen.gain}}};
-    if (options_.write) {
-      if (const Result<void> written = edit_config_file(options_.config, edits); !written) {
-        return report(written.error());
-      }
-    }
+    const std::vector<ConfigEdit> edits = edits_of("cameras", chosen);
+    if (const Result<void> written = written_where_asked(options_, edits); !written) return report(written.error());
     const auto exposure_us = static_cast<double>(chosen.exposure.count());
     const double brightest = kRecommendedTo * exposure_us / near_end.longest_us;
     const double dimmest = kRecommendedFrom * exposure_us / far_end.shortest_us;
@@ -196,9 +165,7 @@ class Exposing {
       fmt::print(
           "measuring: {} us, gain {}; checked at the {} end; brightest at the near end {:.2f}, dimmest at the far end "
           "{:.2f} x clip\n{}",
-          chosen.exposure.count(), chosen.gain, name(end_), brightest, dimmest,
-          options_.write ? fmt::format("written to {}\n", options_.config.string())
-                         : fmt::format("not written (--write does it); the lines are:\n{}", lines_of(edits)));
+          chosen.exposure.count(), chosen.gain, name(end_), brightest, dimmest, written_text(options_, edits));
     }
     return number(ExitCode::kWell);
   }
@@ -226,10 +193,11 @@ int expose_command(const ExposeOptions& options) {
   if (config->cameras.source == CameraSource::kRecording) {
     return report({ErrorCode::kMismatch, "cameras.source is \"recording\": its exposure was chosen when it was made"});
   }
-  if (const Result<void> detector = check_detector(*config); !detector) return report(detector.error());
-  if (options.write) {  // before anyone is asked to hold a target
+  if (options.write) {  // before anyone is asked to hold something
     if (const auto file = editable_file(options.config); !file) return report(file.error());
   }
+  if (options.purpose == ExposeFor::kCalibrating) return expose_for_calibrating(options, *config);
+  if (const Result<void> detector = check_detector(*config); !detector) return report(detector.error());
   const Result<std::size_t> leds = leds_of_target(*config);
   if (!leds) return report(leds.error());
   return Exposing(options, *config, *leds).run();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/exposure_steps.h"
 #include "app/gain_search.h"
 #include "line/detect/exposure_margin.h"
 
@@ -13,18 +14,9 @@ namespace {
 
 using std::chrono::microseconds;
 
-constexpr int kMostSteps = 8;
-constexpr double kLargestStep = 4.0;     ///< by which an exposure changes at once
-constexpr int kFarthest = 12;            ///< such steps away from the start: a factor of 17 million
 constexpr double kNear = 1.2;            ///< a factor: nearer to the middle of the range need not be
 constexpr double kLightestWhite = 0.06;  ///< of clip; source: decision 0008 and the rendered scenes behind the gates
 const double kMiddle = std::sqrt(kRecommendedFrom * kRecommendedTo);
-
-double number_of(microseconds exposure) { return static_cast<double>(exposure.count()); }
-
-microseconds within(const ExposureOffer& offered, double exposure_us) {
-  return std::clamp(microseconds{std::llround(exposure_us)}, offered.shortest, offered.longest);
-}
 
 std::optional<SeenPeaks> in_both(const Look& look) {
   if (!look.peaks.left || !look.peaks.right) return std::nullopt;
@@ -46,49 +38,28 @@ Error not_seen(const Look& last, const ExposureOffer& offered) {
 }
 
 double factor_to_middle(const SeenPeaks& peaks) {
-  return std::clamp(kMiddle / std::sqrt(peaks.dimmest * peaks.brightest), 1.0 / kLargestStep, kLargestStep);
+  return std::clamp(kMiddle / std::sqrt(peaks.dimmest * peaks.brightest), 1.0 / kLargestExposureStep,
+                    kLargestExposureStep);
 }
-
-/// Between an exposure known to be too short and one too long it goes to the middle: at the knee where red clips, the
-/// luma of a small spot does not follow the light well enough to go there at once.
-class Bracket {
- public:
-  double next_us(double exposure_us, double factor) {
-    (factor > 1.0 ? too_short_us_ : too_long_us_) = exposure_us;
-    if (too_short_us_ && too_long_us_) return std::sqrt(*too_short_us_ * *too_long_us_);
-    return exposure_us * factor;
-  }
-
- private:
-  std::optional<double> too_short_us_;
-  std::optional<double> too_long_us_;
-};
 
 /// Goes away from the start to both sides until both cameras see the target; else the last look.
 Result<Look> first_sight(const LookAt& look_at, const ExposureOffer& offered, const ExposureSetting& start) {
   Look last;
-  for (int distance = 0; distance <= kFarthest; ++distance) {
-    for (const int steps : {-distance, distance}) {
-      const double exposure_us = number_of(start.exposure) * std::pow(kLargestStep, steps);
-      const bool beyond = exposure_us * kLargestStep <= number_of(offered.shortest) ||
-                          exposure_us >= kLargestStep * number_of(offered.longest);
-      if (beyond) continue;
-      Result<Look> look = look_at({within(offered, exposure_us), start.gain});
-      if (!look || in_both(*look)) return look;
-      last = *look;
-      if (distance == 0) break;
-    }
+  for (const microseconds exposure : exposures_around(offered, start.exposure)) {
+    Result<Look> look = look_at({exposure, start.gain});
+    if (!look || in_both(*look)) return look;
+    last = *look;
   }
   return last;
 }
 
 /// Changes the exposure until the LEDs have about the middle of what is recommended.
 Result<Look> nearer_to_middle(const LookAt& look_at, const ExposureOffer& offered, Look look) {
-  Bracket bracket;
-  for (int step = 0; step < kMostSteps && in_both(look); ++step) {
+  ExposureBracket bracket;
+  for (int step = 0; step < kMostExposureSteps && in_both(look); ++step) {
     const double factor = factor_to_middle(*in_both(look));
     if (factor < kNear && factor > 1.0 / kNear) break;
-    const microseconds next = within(offered, bracket.next_us(number_of(look.setting.exposure), factor));
+    const microseconds next = exposure_within(offered, bracket.next_us(microseconds_of(look.setting.exposure), factor));
     if (next == look.setting.exposure) break;
     Result<Look> better = look_at({next, look.setting.gain});
     if (!better || !in_both(*better)) return better.map([&](const Look&) { return look; });  // the edge of what is seen
@@ -100,7 +71,8 @@ Result<Look> nearer_to_middle(const LookAt& look_at, const ExposureOffer& offere
 /// Not seen at any exposure, or below what is recommended at the longest.
 bool needs_gain(const Look& look, const ExposureOffer& offered) {
   const std::optional<SeenPeaks> peaks = in_both(look);
-  return !peaks || number_of(look.setting.exposure) * kRecommendedFrom / peaks->dimmest > number_of(offered.longest);
+  return !peaks ||
+         microseconds_of(look.setting.exposure) * kRecommendedFrom / peaks->dimmest > microseconds_of(offered.longest);
 }
 
 /// What is seen with the lowest gain that is enough for the longest exposure, or with the highest.
@@ -137,7 +109,7 @@ std::optional<Error> too_light(const Look& look) {
 }
 
 PlaceBounds bounds_from(const Look& look, const SeenPeaks& peaks) {
-  const double exposure_us = number_of(look.setting.exposure);
+  const double exposure_us = microseconds_of(look.setting.exposure);
   return {.shortest_us = exposure_us * kRecommendedFrom / peaks.dimmest,
           .longest_us = exposure_us * kRecommendedTo / peaks.brightest,
           .look = look};
@@ -146,7 +118,7 @@ PlaceBounds bounds_from(const Look& look, const SeenPeaks& peaks) {
 }  // namespace
 
 Result<PlaceBounds> bounds_at_place(const LookAt& look_at, const ExposureOffer& offered, const ExposureSetting& start) {
-  const ExposureSetting first{within(offered, number_of(start.exposure)), start.gain};
+  const ExposureSetting first{exposure_within(offered, microseconds_of(start.exposure)), start.gain};
   Result<Look> look = first_sight(look_at, offered, first).and_then([&](const Look& seen) {
     return nearer_to_middle(look_at, offered, seen);
   });
@@ -170,20 +142,20 @@ Result<ExposureSetting> exposure_for(const PlaceBounds& near_end, const PlaceBou
                     "LEDs that shine evenly to all sides",
                     shortest_us, longest_us));
   }
-  if (longest_us < number_of(offered.shortest)) {
+  if (longest_us < microseconds_of(offered.shortest)) {
     return failure(
         ErrorCode::kOutOfRange,
         fmt::format("too bright even at the shortest exposure, {} us, with gain {} (up to {:.1f} us would be "
                     "right); give the LEDs less current, or close the iris",
                     offered.shortest.count(), gain, longest_us));
   }
-  if (shortest_us > number_of(offered.longest)) {
+  if (shortest_us > microseconds_of(offered.longest)) {
     return failure(ErrorCode::kOutOfRange,
                    fmt::format("too dim even at the longest exposure, {} us, with gain {} (from {:.0f} us on would be "
                                "right); give the LEDs more current, bring the target nearer, or open the iris",
                                offered.longest.count(), gain, shortest_us));
   }
-  return ExposureSetting{within(offered, std::sqrt(shortest_us * longest_us)), gain};
+  return ExposureSetting{exposure_within(offered, std::sqrt(shortest_us * longest_us)), gain};
 }
 
 }  // namespace tripoint

@@ -25,6 +25,7 @@ struct Arguments {
   bool json = false;
   ReplayOptions replay;
   ExposeOptions expose;
+  std::string purpose = "measuring";
 };
 
 constexpr const char* kExitCodes =
@@ -64,9 +65,14 @@ void describe_running(CLI::App& app, Arguments& arguments) {
 }
 
 void describe_exposing(CLI::App& app, Arguments& arguments) {
-  CLI::App* expose =
-      app.add_subcommand("expose", "Finds exposure and gain for measuring, and checks them in a picture.");
+  CLI::App* expose = app.add_subcommand("expose", "Finds exposure and gain, and checks them in a picture.");
   add_configuration(*expose, arguments, "--config");
+  expose
+      ->add_option("--for", arguments.purpose,
+                   "measuring: of the LEDs, for [cameras]; calibrating: of a board, for [cameras.calibrating]")
+      ->type_name("PURPOSE")
+      ->check(CLI::IsMember({"measuring", "calibrating"}))
+      ->capture_default_str();
   expose->add_flag("--write", arguments.expose.write,
                    "writes exposure_us and gain into the file; else prints the lines");
   expose
@@ -76,9 +82,10 @@ void describe_exposing(CLI::App& app, Arguments& arguments) {
       ->check(CLI::Range(0, 65535));
   expose->add_flag("--json", arguments.json, "JSON lines: each look, then what was chosen");
   expose->footer(
-      "Someone holds the target at the near, then at the far end of the working volume, and presses Enter.\n"
-      "Simulated cameras see it held there. Stop the unit first: a camera that is in use ends with exit code 3.\n\n"
-      "Example: tripointd expose --config unit.toml --write");
+      "Someone holds the target at the near, then at the far end of the working volume, or a board before both\n"
+      "cameras, and presses Enter. Simulated cameras see it held there. Stop the unit first: a camera that is in use "
+      "ends with exit code 3.\n\n"
+      "Example: tripointd expose --config unit.toml --for calibrating --write");
 }
 
 void describe_pictures(CLI::App& app, Arguments& arguments) {
@@ -136,8 +143,12 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("check-config")) return check_config_command(arguments.config, arguments.overrides);
   if (app.got_subcommand("cameras")) return cameras_command(arguments.json);
   if (app.got_subcommand("expose")) {
-    const ExposeOptions& expose = arguments.expose;
-    return expose_command({arguments.config, arguments.overrides, expose.gain, expose.write, arguments.json});
+    ExposeOptions expose = arguments.expose;
+    expose.config = arguments.config;
+    expose.overrides = arguments.overrides;
+    expose.purpose = arguments.purpose == "calibrating" ? ExposeFor::kCalibrating : ExposeFor::kMeasuring;
+    expose.json = arguments.json;
+    return expose_command(expose);
   }
   if (app.got_subcommand("detect")) return detect_command(arguments.detect);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::array<ImageSize, 3> kSizes{{{320, 240}, {640, 480}, {1280, 720}}};
 constexpr std::int64_t kLongestLoss_ms = 10'000;
+constexpr Permitted<std::int64_t> kExposures_us{1, 1'000'000};
+constexpr Permitted<std::int64_t> kGains{0, 65'535};
 
 int integer(TableReader& table, std::string_view key, Permitted<std::int64_t> permitted, int otherwise) {
   return static_cast<int>(table.integer(key, permitted, otherwise));
@@ -43,11 +45,24 @@ void check_size(TableReader& table, const ImageSize& size) {
                fmt::format("with height_px = {} permitted is 320 x 240, 640 x 480 or 1280 x 720", size.height_px));
 }
 
-void check_exposure(TableReader& table, const CamerasConfig& cameras) {
-  const double period_us = 1e6 / cameras.rate_hz;
-  if (static_cast<double>(cameras.measuring.exposure.count()) <= period_us) return;
+void check_exposure(TableReader& table, const ExposureSetting& setting, double rate_hz) {
+  const double period_us = 1e6 / rate_hz;
+  if (static_cast<double>(setting.exposure.count()) <= period_us) return;
   table.refuse("exposure_us",
-               fmt::format("longer than a frame: permitted at {} Hz is up to {:.0f}", cameras.rate_hz, period_us));
+               fmt::format("longer than a frame: permitted at {} Hz is up to {:.0f}", rate_hz, period_us));
+}
+
+/// Has no exposure of its own by default: the one for measuring shows no board.
+std::optional<ExposureSetting> calibrating_from(TableReader& cameras, double rate_hz) {
+  const bool given = cameras.has("calibrating");
+  TableReader table = cameras.table("calibrating");
+  if (!given) return std::nullopt;
+  ExposureSetting setting;
+  setting.exposure = std::chrono::microseconds{table.integer("exposure_us", kExposures_us)};
+  setting.gain = integer(table, "gain", kGains, setting.gain);
+  check_exposure(table, setting, rate_hz);
+  table.finish();
+  return setting;
 }
 
 void check_loss(TableReader& table, const CamerasConfig& cameras) {
@@ -75,14 +90,15 @@ CamerasConfig cameras_from(TableReader table) {
   c.size.height_px = integer(table, "height_px", {240, 720}, c.size.height_px);
   c.rate_hz = table.number("rate_hz", {15.0, 240.0}, c.rate_hz);
   c.measuring.exposure =
-      std::chrono::microseconds{table.integer("exposure_us", {1, 1'000'000}, c.measuring.exposure.count())};
-  c.measuring.gain = integer(table, "gain", {0, 65'535}, c.measuring.gain);
+      std::chrono::microseconds{table.integer("exposure_us", kExposures_us, c.measuring.exposure.count())};
+  c.measuring.gain = integer(table, "gain", kGains, c.measuring.gain);
   c.white_balance_k = integer(table, "white_balance_k", {2000, 10'000}, c.white_balance_k);
   c.focus = integer(table, "focus", {0, 65'535}, c.focus);
   c.loss_after = std::chrono::milliseconds{table.integer("loss_after_ms", {20, kLongestLoss_ms}, c.loss_after.count())};
   for (const Side side : kBothSides) c.bindings[side] = binding_from(table.table(name(side)));
   check_size(table, c.size);
-  check_exposure(table, c);
+  check_exposure(table, c.measuring, c.rate_hz);
+  c.calibrating = calibrating_from(table, c.rate_hz);
   check_loss(table, c);
   table.finish();
   check_bindings(table, c);

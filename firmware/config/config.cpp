@@ -50,6 +50,8 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   return config;
 }
 
+constexpr std::string_view kMeasuresNothing = "cameras.calibrating.";
+
 std::string joined(std::span<const std::string> lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
@@ -91,7 +93,8 @@ Error named_by(const Config& config, std::string_view key, const Error& error) {
 std::string canonical_text(const Config& config, std::span<const std::string_view> tables) {
   std::vector<std::string> lines;
   std::copy_if(config.values.begin(), config.values.end(), std::back_inserter(lines), [&](const std::string& line) {
-    return std::find(tables.begin(), tables.end(), std::string_view{line}.substr(0, line.find('.'))) != tables.end();
+    const std::string_view table = std::string_view{line}.substr(0, line.find('.'));
+    return !line.starts_with(kMeasuresNothing) && std::find(tables.begin(), tables.end(), table) != tables.end();
   });
   return joined(lines);
 }

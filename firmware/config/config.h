@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,7 +45,8 @@ struct CamerasConfig {
   ConfiguredFormat format = ConfiguredFormat::kYuyv;
   ImageSize size{640, 480};
   double rate_hz = 30.0;
-  ExposureSetting measuring;  ///< exposure_us and gain
+  ExposureSetting measuring;                   ///< exposure_us and gain
+  std::optional<ExposureSetting> calibrating;  ///< for pictures of a calibration board; nothing measured depends on it
   int white_balance_k = 4500;
   int focus = 0;
   std::chrono::milliseconds loss_after{100};
@@ -136,7 +138,8 @@ Result<Config> load_config(const std::filesystem::path& path, std::span<const st
 Error named_by(const Config& config, std::string_view key, const Error& error);
 
 /// The same text for every way of writing the same values of these tables: what a hash is made of. For the setup
-/// (register 146) the tables are kSetupTables; the source is cameras.source.
+/// (register 146) the tables are kSetupTables; the source is cameras.source. [cameras.calibrating] is left out: nothing
+/// is measured with it.
 std::string canonical_text(const Config& config, std::span<const std::string_view> tables);
 inline constexpr std::array<std::string_view, 4> kSetupTables{"cameras", "detector", "timing", "output"};
 

@@ -1,6 +1,7 @@
 #include "config/edited_config.h"
 
 #include <algorithm>
+#include <optional>
 #include <regex>
 #include <system_error>
 #include <vector>
@@ -52,22 +53,46 @@ tl::unexpected<Error> not_editable(std::string_view file_name, const ConfigEdit&
                                                     file_name, edit.table, edit.key, edit.key, edit.value));
 }
 
+/// `a.b` as TOML permits to write it, with blanks around the dots.
+std::string pattern_of(const std::string& table) {
+  return std::regex_replace(table, std::regex(R"(\.)"), R"(\s*\.\s*)");
+}
+
+/// The key stands under its own table's heading, or under another's with the names of the tables between.
 bool change(std::string& line, const ConfigEdit& edit) {
-  const std::regex assignment(fmt::format(R"(^(\s*(?:{}\s*\.\s*)?{}\s*=\s*)[0-9+_]+)", edit.table, edit.key));
+  const std::regex assignment(fmt::format(R"(^(\s*(?:[a-z_]+\s*\.\s*)*{}\s*=\s*)[0-9+_]+)", edit.key));
   std::smatch found;
   if (!std::regex_search(line, found, assignment)) return false;
   line = found.str(1) + std::to_string(edit.value) + found.suffix().str();
   return true;
 }
 
-bool add(Lines& lines, const ConfigEdit& edit) {
-  const std::regex heading(fmt::format(R"(^\s*\[\s*{}\s*\]\s*(#.*)?\r?\n?$)", edit.table));
-  const auto found = std::find_if(lines.begin(), lines.end(),
-                                  [&](const std::string& line) { return std::regex_match(line, heading); });
-  if (found == lines.end()) return false;
-  if (found->back() != '\n') *found += '\n';
+void end(std::string& line) {
+  if (line.back() != '\n') line += '\n';
+}
+
+void add(Lines& lines, const ConfigEdit& edit) {
+  const std::regex heading(fmt::format(R"(^\s*\[\s*{}\s*\]\s*(#.*)?\r?\n?$)", pattern_of(edit.table)));
+  auto found = std::find_if(lines.begin(), lines.end(),
+                            [&](const std::string& line) { return std::regex_match(line, heading); });
+  if (found == lines.end()) {
+    end(lines.back());  // there is one: a configuration without any text is not valid
+    lines.emplace_back("\n");
+    found = lines.insert(lines.end(), fmt::format("[{}]", edit.table));
+  }
+  end(*found);
   lines.insert(found + 1, fmt::format("{} = {}\n", edit.key, edit.value));
-  return true;
+}
+
+/// Puts the value where it belongs, as far as lines tell.
+std::optional<std::string> with_value(const std::string& text, std::size_t line, const ConfigEdit& edit) {
+  Lines lines = lines_from(text);
+  if (line == 0) {
+    add(lines, edit);
+  } else if (line > lines.size() || !change(lines[line - 1], edit)) {
+    return std::nullopt;
+  }
+  return joined(lines);
 }
 
 /// What the configuration says with these values, whatever the text looks like.
@@ -88,13 +113,11 @@ Result<std::string> edited_config(std::string_view text, std::string_view file_n
   std::string edited(text);
   for (const ConfigEdit& edit : edits) {
     const Result<Config> before = parse_config(edited, file_name, {});
-    if (!before) return tl::make_unexpected(before.error());
+    if (!before) return not_editable(file_name, edits.front());  // by an edit: the text itself was read above
     if (holds(*before, edit)) continue;
-    Lines lines = lines_from(edited);
-    const std::size_t line = line_of(*before, edit);
-    const bool done = line == 0 ? add(lines, edit) : line <= lines.size() && change(lines[line - 1], edit);
-    if (!done) return not_editable(file_name, edit);
-    edited = joined(lines);
+    std::optional<std::string> next = with_value(edited, line_of(*before, edit), edit);
+    if (!next) return not_editable(file_name, edit);
+    edited = *std::move(next);
   }
   const Result<Config> read_again = parse_config(edited, file_name, {});
   if (!read_again || read_again->values != wanted->values) return not_editable(file_name, edits.front());

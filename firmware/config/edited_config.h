@@ -12,17 +12,16 @@ namespace tripoint {
 
 /// One whole number to be written.
 struct ConfigEdit {
-  std::string table;  ///< "cameras"
+  std::string table;  ///< "cameras", "cameras.calibrating"
   std::string key;
   long value = 0;
 };
 
-/// Changes the lines of these keys; a key that is not there is added below its table's heading,
-/// unless the value is the default. Comments, order and all other lines stay. What comes out is read again: only these
-/// values may differ.
+/// Changes the lines of these keys; a key that is not there is added below its table's heading, unless the value is the
+/// default; a table that is not there is added at the end. Comments, order and all other lines stay. What comes out is
+/// read again: only these values may differ.
 ///
-/// @return kMalformed, saying what to do by hand, for a table that is not written under a heading of its own; errors of
-///   parse_config
+/// @return kMalformed, saying what to do by hand, for a table that is written in braces; errors of parse_config
 Result<std::string> edited_config(std::string_view text, std::string_view file_name, std::span<const ConfigEdit> edits);
 
 /// The file behind a path and its links.

@@ -162,3 +162,90 @@ def test_spheres_have_no_exposure_to_find(config: Path) -> None:
     done = exposed(config, "--set", "detector.kind=sphere")
     assert done.returncode == USAGE
     assert 'set "led"' in done.stderr
+
+
+def white_at(exposure_us: float, gain: int = 0, white_level: float = 0.05) -> float:
+    """Truth, of clip: the paper reflects 80 %; light is proportional to the exposure, and doubles with 64 of gain."""
+    return 0.8 * white_level * exposure_us / 2000.0 * (1.0 + gain / 64.0)
+
+
+def read_as(level: float, format_: str) -> float:
+    """What a level of clip reads as: luma is 16 to 235 in YUYV, and the whole byte in MJPEG."""
+    return level if format_ == "yuyv" else max(0.0, (255.0 * level - 16.0) / 219.0)
+
+
+def calibrating(config: Path) -> dict[str, int]:
+    """The table as it stands in the file."""
+    table: dict[str, int] = tomllib.loads(config.read_text(encoding="utf-8"))["cameras"]["calibrating"]
+    return table
+
+
+def test_the_exposure_for_calibrating_is_added_to_the_file_and_nothing_else_changes(config: Path) -> None:
+    before = config.read_text(encoding="utf-8")
+    assert "calibrating" not in before
+    done = exposed(config, "--for", "calibrating", "--write")
+    assert done.returncode == WELL, done.stderr
+    written = calibrating(config)["exposure_us"]
+    assert config.read_text(encoding="utf-8") == before + f"\n[cameras.calibrating]\nexposure_us = {written}\n"
+    assert f"calibrating: {written} us, gain 0; checked in fresh pictures" in done.stdout
+    assert 0.55 <= white_at(written) <= 0.80
+    assert finished("check-config", str(config)).returncode == WELL
+
+
+def test_the_exposure_for_calibrating_is_changed_where_it_stands_and_the_setup_stays(config: Path) -> None:
+    with config.open("a", encoding="utf-8") as file:
+        file.write("[cameras.calibrating]  # board\nexposure_us = 100  # by guess\n")
+    setup, before = finished("check-config", str(config)).stdout, config.read_text(encoding="utf-8")
+    assert exposed(config, "--for", "calibrating", "--write").returncode == WELL
+    written = calibrating(config)["exposure_us"]
+    assert config.read_text(encoding="utf-8") == before.replace("= 100  #", f"= {written}  #")
+    assert finished("check-config", str(config)).stdout == setup
+    assert exposed(config, "--write").returncode == WELL
+    assert finished("check-config", str(config)).stdout != setup  # what is measured depends on that one
+
+
+@pytest.mark.parametrize(("format_", "white_level"), [("yuyv", 10.0), ("yuyv", 0.2), ("mjpeg", 0.2), ("yuyv", 0.01)])
+def test_the_boards_white_is_within_the_range_in_bright_light_and_in_the_dark(
+    config: Path, format_: str, white_level: float
+) -> None:
+    looks, last = looks_and_choice(
+        config,
+        *("--for", "calibrating", "--set", f"simulation.white_level={white_level}"),
+        *("--set", f"cameras.format={format_}"),
+    )
+    white = white_at(last["exposure_us"], last["gain"], white_level)
+    for side in ("left", "right"):
+        assert 0.55 <= last[side]["white"] <= 0.80
+        assert last[side]["white"] == pytest.approx(read_as(white, format_), abs=0.01)
+        assert last[side]["black"] == pytest.approx(read_as(0.05 * white, format_), abs=0.01)
+    assert (last["gain"] > 0) == (white_at(1e6 / 30.0, 0, white_level) < 0.55)
+    assert last["setting"] == "calibrating"
+    assert looks[-1] == {key: last[key] for key in ("exposure_us", "gain", "left", "right")}
+
+
+@pytest.mark.parametrize(
+    ("settings", "complaint"),
+    [
+        (("volume.max_mm=[200, 200, 4000]",), "hold it so that it fills at least a quarter of both pictures"),
+        (("simulation.white_level=0.004",), "too dark even at the longest exposure"),
+    ],
+)
+def test_where_no_board_can_be_shown_well_the_reason_is_given_and_nothing_written(
+    config: Path, settings: tuple[str, ...], complaint: str
+) -> None:
+    before = config.read_bytes()
+    arguments = [argument for setting in settings for argument in ("--set", setting)]
+    done = exposed(config, "--for", "calibrating", "--write", *arguments)
+    assert complaint in done.stderr
+    assert done.returncode == NO
+    assert config.read_bytes() == before
+
+
+def test_a_board_needs_no_detector_for_leds(config: Path) -> None:
+    assert exposed(config, "--for", "calibrating", "--set", "detector.kind=sphere").returncode == WELL
+
+
+def test_only_two_purposes_are_permitted(config: Path) -> None:
+    done = exposed(config, "--for", "fun")
+    assert done.returncode == USAGE
+    assert "{measuring,calibrating}" in done.stderr

@@ -8,6 +8,8 @@ namespace {
 
 using testing::config_with;
 using ::testing::HasSubstr;
+using testing::kSmallest;
+using testing::message_of;
 using testing::message_with;
 
 TEST(CamerasConfigTest, EveryKeyIsRead) {
@@ -29,6 +31,32 @@ TEST(CamerasConfigTest, EveryKeyIsRead) {
   EXPECT_EQ(c.bindings.left.port, "1-1");
   EXPECT_EQ(c.bindings.right.serial, "R");
   EXPECT_EQ(c.bindings.right.device, "/dev/video2");
+}
+
+TEST(CamerasConfigTest, TheExposureForCalibratingIsAbsentOrWhole) {
+  EXPECT_EQ(config_with({})->cameras.calibrating, std::nullopt);
+  const Result<Config> both = config_with({"cameras.calibrating.exposure_us=9000", "cameras.calibrating.gain=7"});
+  EXPECT_EQ(both->cameras.calibrating, (ExposureSetting{std::chrono::microseconds{9000}, 7}));
+  EXPECT_EQ(both->cameras.measuring, ExposureSetting{});
+  const Result<Config> without_gain = config_with({"cameras.calibrating.exposure_us=9000"});
+  EXPECT_EQ(without_gain->cameras.calibrating, (ExposureSetting{std::chrono::microseconds{9000}, 0}));
+  EXPECT_THAT(message_of(std::string(kSmallest) + "[cameras.calibrating]\ngain = 1\n"),
+              HasSubstr("demo.toml:6: cameras.calibrating.exposure_us is missing: permitted is a whole number from 1"));
+}
+
+TEST(CamerasConfigTest, TheExposureForCalibratingHasTheRangesOfTheOneForMeasuring) {
+  const std::string heading = std::string(kSmallest) + "[cameras.calibrating]\n";
+  EXPECT_THAT(
+      message_of(heading + "exposure_us = 0\n"),
+      HasSubstr("demo.toml:7: cameras.calibrating.exposure_us = 0: permitted is a whole number from 1 to 1000000"));
+  EXPECT_THAT(message_of(heading + "exposure_us = 1\ngain = 65536\n"),
+              HasSubstr("demo.toml:8: cameras.calibrating.gain = 65536: permitted is a whole number from 0 to 65535"));
+  EXPECT_THAT(message_of(heading + "exposure_us = 1\ngains = 6\n"),
+              HasSubstr("demo.toml:8: unknown key cameras.calibrating.gains"));
+  EXPECT_EQ(message_with({"cameras.rate_hz=50", "cameras.calibrating.exposure_us=20000"}), "");
+  EXPECT_THAT(
+      message_with({"cameras.rate_hz=50", "cameras.calibrating.exposure_us=20001"}),
+      HasSubstr("cameras.calibrating.exposure_us = 20001: longer than a frame: permitted at 50 Hz is up to 20000"));
 }
 
 TEST(CamerasConfigTest, OnlyThreeSizesArePermitted) {

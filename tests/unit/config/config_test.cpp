@@ -120,6 +120,8 @@ TEST(ConfigTest, TheSetupTextHoldsTheTablesThatChangeWhatIsMeasured) {
 TEST(ConfigTest, OnlyWhatChangesTheMeasurementChangesTheSetupText) {
   const std::string text = canonical_text(config_with({}).value(), kSetupTables);
   EXPECT_EQ(canonical_text(config_with({"modbus.port=1503"}).value(), kSetupTables), text);
+  EXPECT_EQ(canonical_text(config_with({"cameras.calibrating.exposure_us=9000"}).value(), kSetupTables), text);
+  EXPECT_NE(canonical_text(config_with({"cameras.exposure_us=9000"}).value(), kSetupTables), text);
   EXPECT_NE(canonical_text(config_with({"output.method=paper"}).value(), kSetupTables), text);
   EXPECT_NE(canonical_text(config_with({"cameras.left.port=1-1"}).value(), kSetupTables), text);
 }

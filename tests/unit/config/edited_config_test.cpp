@@ -68,11 +68,45 @@ TEST(EditedConfigTest, ATableWithoutAHeadingIsLeftToPeople) {
   EXPECT_THAT(edited(text), HasSubstr("write exposure_us = 1234 there yourself"));
 }
 
-TEST(EditedConfigTest, ATableThatOnlyItsSubtablesImplyIsLeftToPeople) {
+TEST(EditedConfigTest, ATableThatOnlyItsSubtablesImplyIsAddedAtTheEnd) {
   const std::string text =
       "[cameras.left]  # [cameras]\nport = \"1-1\"\n[cameras.right]\nport = \"1-2\"\n"
+      "[volume]\nmin_mm = [0, 0, 300]\nmax_mm = [1, 1, 600]";
+  EXPECT_EQ(edited(text), text + "\n\n[cameras]\ngain = 7\nexposure_us = 1234\n");
+}
+
+const std::array<ConfigEdit, 2> kCalibrating{
+    {{"cameras.calibrating", "exposure_us", 9000}, {"cameras.calibrating", "gain", 3}}};
+
+std::string edited_for_calibrating(std::string_view text) {
+  const Result<std::string> result = edited_config(text, "unit.toml", kCalibrating);
+  return result ? *result : "error: " + result.error().message;
+}
+
+TEST(EditedConfigTest, ATableThatIsMissingIsAddedAndNothingElseChanges) {
+  EXPECT_EQ(edited_for_calibrating(kWritten),
+            std::string(kWritten) + "\n[cameras.calibrating]\ngain = 3\nexposure_us = 9000\n");
+}
+
+TEST(EditedConfigTest, ASubtableIsFoundHoweverItIsWritten) {
+  const std::string with_heading =
+      std::string(kWritten) + "[ cameras . calibrating ]  # board\nexposure_us = 5  # bright\n";
+  EXPECT_EQ(edited_for_calibrating(with_heading),
+            std::string(kWritten) + "[ cameras . calibrating ]  # board\ngain = 3\nexposure_us = 9000  # bright\n");
+  const std::string dotted =
+      "[cameras]\nsource = \"simulation\"\nexposure_us = 2\ncalibrating.exposure_us = 5\ncalibrating.gain = 1\n"
       "[volume]\nmin_mm = [0, 0, 300]\nmax_mm = [1, 1, 600]\n";
-  EXPECT_THAT(edited(text), HasSubstr("there yourself"));
+  EXPECT_THAT(edited_for_calibrating(dotted),
+              HasSubstr("exposure_us = 2\ncalibrating.exposure_us = 9000\ncalibrating.gain = 3\n"));
+}
+
+TEST(EditedConfigTest, ASubtableInBracesIsLeftToPeople) {
+  const std::string text =
+      "[cameras]\nsource = \"simulation\"\ncalibrating = { exposure_us = 5 }\n"
+      "[volume]\nmin_mm = [0, 0, 300]\nmax_mm = [1, 1, 600]\n";
+  EXPECT_THAT(edited_for_calibrating(text),
+              HasSubstr("cameras.calibrating.exposure_us cannot be changed without changing more: write exposure_us = "
+                        "9000 there yourself"));
 }
 
 TEST(EditedConfigTest, AValueThatTheConfigurationRefusesIsRefused) {
