@@ -1,8 +1,10 @@
 #include "app/camera_supply.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "devices/camera_finder.h"
 #include "devices/v4l2_camera.h"
@@ -54,7 +56,29 @@ void expose(SimulationSettings& settings, const CamerasConfig& cameras) {
   settings.sensor.full_well_electrons = std::max(1.0, settings.sensor.full_well_electrons / gain);
 }
 
-Result<SimulationSettings> simulation_settings(const Config& config) {
+/// Of the target's LEDs; of a target without LEDs one at the origin.
+std::vector<Vec3> led_places_mm(const Target& target) {
+  std::vector<Vec3> places_mm;
+  for (const TargetPoint& point : target.points) places_mm.push_back(point.in_target_mm);
+  if (places_mm.empty()) places_mm.emplace_back(Vec3::Zero());
+  return places_mm;
+}
+
+/// Like an LED, within the usual working volume, beside the scenarios' ways.
+void add_red_lamps(Scene& scene, int count) {
+  const std::array<Vec3, 4> places_mm{Vec3(100.0, -40.0, 420.0), Vec3(-120.0, 20.0, 400.0), Vec3(60.0, 120.0, 390.0),
+                                      Vec3(-20.0, -130.0, 440.0)};
+  for (int i = 0; i < count; ++i) {
+    LightSource lamp = scene.lights.front();
+    lamp.id = 0;
+    lamp.mount = Mount::kReference;
+    lamp.place_mm = places_mm[static_cast<std::size_t>(i)];
+    lamp.switched_by.reset();
+    scene.lights.push_back(lamp);
+  }
+}
+
+Result<SimulationSettings> simulation_settings(const Config& config, const Target& target) {
   const SimulationConfig& wanted = config.simulation;
   const Result<Trajectory> trajectory = wanted.trajectory_file.empty()
                                             ? Result<Trajectory>(trajectory_of(wanted.scenario))
@@ -75,10 +99,20 @@ Result<SimulationSettings> simulation_settings(const Config& config) {
   settings.clocks.right.phase = duration_from_seconds(wanted.right_phase_ms * 1e-3);
   settings.clocks.right.drift_ppm = -wanted.clock_drift_ppm / 2.0;
   settings.seed = wanted.seed;
-  settings.scene = led_scene({Vec3::Zero()}, wanted.led_peak);
+  settings.scene = led_scene(led_places_mm(target), wanted.led_peak);
+  add_red_lamps(settings.scene, wanted.red_lamps);
   settings.scene.white_level = wanted.white_level;
   expose(settings, config.cameras);
   return settings;
+}
+
+LitShare lit_share_of(const SimulatedLeds& leds, const Clock& clock, SimulatedLines lines) {
+  if (lines == SimulatedLines::kStuckLit) return {};
+  if (lines == SimulatedLines::kStuckOut) return [](std::size_t, Duration, Duration) { return 0.0; };
+  return [&leds, &clock](std::size_t line, Duration from_1970, Duration to_1970) {
+    const Duration since_start = -clock.utc_offset();
+    return leds.lit_share(line, TimePoint{from_1970 + since_start}, TimePoint{to_1970 + since_start});
+  };
 }
 
 Result<PerSide<OpenCamera>> simulated_cameras(const SimulationSettings& settings, const Clock& clock) {
@@ -139,11 +173,14 @@ PerSide<OpenCamera> real_cameras(const Config& config, const Clock& clock) {
 
 }  // namespace
 
-Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock) {
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& target, const Clock& clock,
+                                          const SimulatedLeds* switched) {
   switch (config.cameras.source) {
     case CameraSource::kSimulation:
-      return simulation_settings(config).and_then(
-          [&](const SimulationSettings& settings) { return simulated_cameras(settings, clock); });
+      return simulation_settings(config, target).and_then([&](SimulationSettings settings) {
+        if (switched != nullptr) settings.lit_share = lit_share_of(*switched, clock, config.simulation.led_lines);
+        return simulated_cameras(settings, clock);
+      });
     case CameraSource::kRecording:
       return recorded_cameras(config, clock);
     case CameraSource::kV4l2:
@@ -154,7 +191,7 @@ Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clo
 
 Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,
                                                       const Vec3& place_in_reference_mm) {
-  return simulation_settings(config).and_then([&](SimulationSettings settings) {
+  return simulation_settings(config, Target{}).and_then([&](SimulationSettings settings) {
     settings.trajectory.reference_from_target = [place_in_reference_mm](double /*second*/) {
       Isometry3 pose = Isometry3::Identity();
       pose.translation() = place_in_reference_mm;
@@ -165,8 +202,8 @@ Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, cons
 }
 
 Result<PerSide<OpenCamera>> cameras_before_board(const Config& config, const Clock& clock) {
-  if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, clock);
-  return simulation_settings(config).and_then([&](SimulationSettings settings) {
+  if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, Target{}, clock);
+  return simulation_settings(config, Target{}).and_then([&](SimulationSettings settings) {
     settings.scene.lights.clear();
     settings.scene.board.emplace().reference_from_board.translation() =
         0.5 * (config.volume.min_mm + config.volume.max_mm);

@@ -3,7 +3,9 @@
 
 #include "capture/camera_worker.h"
 #include "config/config.h"
+#include "line/model.h"
 #include "ports/clock.h"
+#include "sim/simulated_leds.h"
 #include "values/result.h"
 #include "values/side.h"
 
@@ -11,12 +13,15 @@ namespace tripoint {
 
 /// How to open each camera, again and again.
 ///
-/// @param clock must outlive the cameras
+/// @param target    whose LEDs a simulation shows
+/// @param clock     must outlive the cameras
+/// @param switched  lines that switch the LEDs of a simulation, and outlive the cameras; null: they are always lit
 /// @return errors of a simulation's trajectory or a recording's folder; a real camera that is absent is not an error
 ///   here: its worker keeps trying
-Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Clock& clock);
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& target, const Clock& clock,
+                                          const SimulatedLeds* switched = nullptr);
 
-/// Simulated cameras that see the target held still at this place of the reference frame.
+/// Simulated cameras that see a single LED held still at this place of the reference frame.
 ///
 /// @param clock must outlive the cameras
 Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,

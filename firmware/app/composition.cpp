@@ -5,6 +5,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "app/camera_supply.h"
 #include "app/detector_settings.h"
 #include "app/measuring.h"
+#include "app/modulation_wiring.h"
 #include "app/unit_setup.h"
 #include "app/version.h"
 #include "capture/camera_worker.h"
@@ -90,11 +92,11 @@ struct Unit {
   explicit Unit(UnitState first) : publication(std::move(first)), responder(publication, device_identification()) {}
 };
 
-CameraWorker camera_worker(Unit& unit, Side side, const Config& config, OpenCamera open) {
+CameraWorker camera_worker(Unit& unit, Side side, const Config& config, OpenCamera open, SiftPoints sift) {
   CameraLimits limits;
   limits.frame = config.cameras.loss_after;
   return {
-      side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector)},
+      side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector), .sift = std::move(sift)},
       CameraLinks{.events = unit.events, .forecast = unit.forecast, .status = unit.cameras[side], .clock = unit.clock},
       limits};
 }
@@ -110,18 +112,26 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   const SystemClock started_by;
   UnitReport report(setup->constants, started_by.now());
   Unit unit(report.state({}, started_by));
-  Result<PerSide<OpenCamera>> cameras = camera_supply(config, unit.clock);
+  std::optional<ModulationWiring> modulation;
+  if (config.modulation.enabled) modulation.emplace(config.modulation, setup->target, unit.clock);
+  const auto sift = [&](Side side) { return modulation ? modulation->sift(side) : SiftPoints{}; };
+  Result<PerSide<OpenCamera>> cameras =
+      camera_supply(config, setup->target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
   if (!cameras) return tl::make_unexpected(cameras.error());
   Result<ModbusServer> server = ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
   if (!server) return tl::make_unexpected(server.error());
   spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(),
                setup_text(setup->constants.identity.setup));
 
-  CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left));
-  CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right));
+  CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left), sift(Side::kLeft));
+  CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right), sift(Side::kRight));
   Measuring measuring({unit.events, unit.cameras, unit.forecast, unit.publication, unit.clock}, setup->model,
                       fits_calibration(setup->calibration, config.cameras.source), std::move(report));
 
+  std::optional<LedSwitcher> switcher;
+  if (modulation) switcher.emplace(modulation->switcher());
+  std::jthread switching;
+  if (switcher) switching = std::jthread([&switcher](const std::stop_token& token) { switcher->run(token); });
   const std::jthread modbus([&server](const std::stop_token& token) { serve_modbus(*server, token); });
   std::jthread measuring_thread([&measuring](const std::stop_token& token) { measure(measuring, token); });
   std::jthread left_thread([&left](const std::stop_token& token) { left.run(token); });

@@ -88,7 +88,7 @@ class Exposing {
 
  private:
   Result<PerSide<OpenCamera>> supply(const Config& config) {
-    if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, clock_);
+    if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, Target{}, clock_);
     const double z_mm = end_ == End::kNear ? config.volume.min_mm.z() : config.volume.max_mm.z();
     return simulated_cameras_showing(config, clock_, Vec3(0.0, 0.0, z_mm));
   }

@@ -64,12 +64,22 @@ Result<void> check_size(const LineModel& model, ImageSize recorded) {
   return {};
 }
 
+/// Lamps and LEDs look the same without it.
+Result<void> check_unmodulated(const Config& config) {
+  if (!config.modulation.enabled) return {};
+  return tl::make_unexpected(
+      named_by(config, "modulation.enabled",
+               {ErrorCode::kMismatch, "a recording does not say which LEDs were lit when: to replay one set false"}));
+}
+
 /// Limits and volume of a configuration, or the defaults without a volume.
 Result<Replay> prepared(const ReplayOptions& options) {
   Replay replay;
   if (!options.config.empty()) {
     Result<Config> config = load_config(options.config, {});
-    const Result<void> usable = config.and_then(check_detector);
+    const Result<void> usable = config.and_then([](const Config& loaded) {
+      return check_detector(loaded).and_then([&] { return check_unmodulated(loaded); });
+    });
     if (!usable) return tl::make_unexpected(usable.error());
     replay.config = std::move(*config);
   }

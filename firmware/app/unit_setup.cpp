@@ -123,6 +123,9 @@ Result<UnitSetup> unit_setup(const Config& config) {
   if (!target) return tl::make_unexpected(named_by(config, "target.file", target.error()));
 
   UnitSetup setup;
+  const Result<Target> points = points_of(*target);
+  if (!points && config.modulation.enabled) return tl::make_unexpected(named_by(config, "target.file", points.error()));
+  setup.target = points.value_or(Target{});
   if (!config.calibration_file.empty()) {
     Result<Calibration> calibration = load_calibration(config.calibration_file);
     const Result<void> usable =

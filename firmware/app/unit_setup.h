@@ -21,6 +21,7 @@ struct UnitSetup {
   std::shared_ptr<const LineModel> model;  ///< null: no calibration is configured; shared with the line
   std::optional<Calibration> calibration;
   UnitConstants constants;
+  Target target;  ///< without points when it is made of AprilTags
 };
 
 /// Loads the files that the configuration names and checks that they belong together.

@@ -125,7 +125,7 @@ bool CameraWorker::may_still_start(const Error& error) const {
 Result<Observation> CameraWorker::observe(Camera& camera) {
   const Result<Frame> frame = camera.next_frame(limits_.frame);
   if (!frame) return tl::make_unexpected(frame.error());
-  const Forecast forecast = links_.forecast.get();
+  const Forecast forecast = tasks_.sift ? Forecast{} : links_.forecast.get();
   const Result<Picture> picture = picture_from(*frame, forecast);
   if (!picture) return tl::make_unexpected(picture.error());
   if (!plausible(*frame)) return failure(ErrorCode::kCorruptFrame, "time stamp does not fit the time of arrival");
@@ -141,7 +141,7 @@ Result<Observation> CameraWorker::observe(Camera& camera) {
   observation.coverage = picture->bands.empty() ? Coverage::kWholeFrame : Coverage::kRegions;
   observation.health.identical = repeats(*frame, *picture);
   sightings_ = with(sightings_, observation, forecast);
-  return observation;
+  return tasks_.sift ? tasks_.sift(observation, *picture) : observation;
 }
 
 bool CameraWorker::repeats(const Frame& frame, const Picture& picture) {

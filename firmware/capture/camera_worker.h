@@ -47,6 +47,8 @@ using OpenCamera = std::function<Result<std::unique_ptr<Camera>>()>;
 /// Fills in points, health and forecast_used; side, frame, times and coverage are the worker's. It is asked picture by
 /// picture of one camera, and of MJPEG may get bands only.
 using DetectPoints = std::function<Observation(const Picture&, const Forecast&)>;
+/// What of a finished observation is believed. With such a task every picture is seen whole.
+using SiftPoints = std::function<Observation(const Observation&, const Picture&)>;
 /// Waits for the duration or until stop is requested, whichever comes first.
 using Pause = std::function<void(Duration, const std::stop_token&)>;
 
@@ -55,6 +57,7 @@ void pause_until_stop(Duration duration, const std::stop_token& stop);
 struct CameraTasks {
   OpenCamera open;
   DetectPoints detect;
+  SiftPoints sift = {};  ///< none: every point is believed
   Pause pause = pause_until_stop;
 };
 

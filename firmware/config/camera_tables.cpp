@@ -141,6 +141,12 @@ SimulationConfig simulation_from(TableReader table, const std::filesystem::path&
   s.right_phase_ms = table.number("right_phase_ms", {0.0, 1000.0}, s.right_phase_ms);
   s.white_level = table.number("white_level", {0.0, 10.0}, s.white_level);
   s.led_peak = table.number("led_peak", {0.0, 10'000.0}, s.led_peak);
+  s.red_lamps = integer(table, "red_lamps", {0, 4}, s.red_lamps);
+  s.led_lines = table.choice<SimulatedLines>("led_lines",
+                                             {{"working", SimulatedLines::kWorking},
+                                              {"stuck_lit", SimulatedLines::kStuckLit},
+                                              {"stuck_out", SimulatedLines::kStuckOut}},
+                                             s.led_lines);
   table.finish();
   return s;
 }

@@ -44,8 +44,13 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   config.volume = volume_from(root.table("volume"));
   config.timing = timing_from(root.table("timing"));
   config.output = output_from(root.table("output"));
+  config.modulation = modulation_from(root.table("modulation"), config);
   config.modbus = modbus_from(root.table("modbus"));
   config.simulation = simulation_from(root.table("simulation"), folder);
+  if (config.simulation.led_lines != SimulatedLines::kWorking && !config.modulation.enabled) {
+    root.table("simulation")
+        .refuse("led_lines", "there are no lines without modulation.enabled = true: permitted is \"working\"");
+  }
   root.finish();
   return config;
 }

@@ -24,6 +24,8 @@ enum class ConfiguredFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
 enum class ConfiguredFrame : std::uint8_t { kReference, kLeftCamera };
 enum class ConfiguredMethod : std::uint8_t { kMaximumLikelihood, kPaper };
 enum class ConfiguredDetector : std::uint8_t { kLed, kSphere };
+enum class ModulationLines : std::uint8_t { kSimulated };
+enum class SimulatedLines : std::uint8_t { kWorking, kStuckLit, kStuckOut };
 enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume };
 
 /// Which camera is the left or the right one; "" = not asked for. `device` overrides both.
@@ -98,6 +100,13 @@ struct ModbusConfig {
   std::uint32_t serial_number = 0;
 };
 
+/// LEDs that lines switch, one for each point of the target.
+struct ModulationConfig {
+  bool enabled = false;
+  ModulationLines lines = ModulationLines::kSimulated;
+  double stamp_error_ms = 3.0;  ///< how wrong a camera's stamp may be against the clock by which the lines are switched
+};
+
 struct SimulationConfig {
   Scenario scenario = Scenario::kPaperCircular;
   std::filesystem::path trajectory_file;  ///< when not empty, instead of the scenario
@@ -107,6 +116,8 @@ struct SimulationConfig {
   double right_phase_ms = 0.0;  ///< how much later the right camera exposes
   double led_peak = 1.5;        ///< times clip at 400 mm, with an exposure of 2000 us and gain 0
   double white_level = 0.05;    ///< of a white surface, likewise
+  int red_lamps = 0;            ///< that stand about, in the LED's size and colour
+  SimulatedLines led_lines = SimulatedLines::kWorking;  ///< what the lines of modulation do
 };
 
 struct Config {
@@ -118,6 +129,7 @@ struct Config {
   VolumeConfig volume;
   TimingConfig timing;
   OutputConfig output;
+  ModulationConfig modulation;
   ModbusConfig modbus;
   SimulationConfig simulation;
   std::vector<std::string> values;  ///< "table.key = value" of everything above, sorted; paths as written
@@ -141,6 +153,6 @@ Error named_by(const Config& config, std::string_view key, const Error& error);
 /// (register 146) the tables are kSetupTables; the source is cameras.source. [cameras.calibrating] is left out: nothing
 /// is measured with it.
 std::string canonical_text(const Config& config, std::span<const std::string_view> tables);
-inline constexpr std::array<std::string_view, 4> kSetupTables{"cameras", "detector", "timing", "output"};
+inline constexpr std::array<std::string_view, 5> kSetupTables{"cameras", "detector", "timing", "output", "modulation"};
 
 }  // namespace tripoint

@@ -13,6 +13,8 @@ DetectorConfig detector_from(TableReader table);
 VolumeConfig volume_from(TableReader table);
 TimingConfig timing_from(TableReader table);
 OutputConfig output_from(TableReader table);
+/// With the tables that it has to fit to: cameras and detector.
+ModulationConfig modulation_from(TableReader table, const Config& config);
 ModbusConfig modbus_from(TableReader table);
 SimulationConfig simulation_from(TableReader table, const std::filesystem::path& folder);
 RecordingConfig recording_from(TableReader table, const std::filesystem::path& folder, CameraSource source);

@@ -30,7 +30,8 @@ struct ImagePoint {
   double peak = 0.0;       ///< largest luma value
   bool saturated = false;  ///< all three channels clip; a clipped red channel alone is the recommended exposure
   bool weak = false;
-  int reach_px = 0;  ///< rows above and below that had a say; regions of the next pictures must hold them
+  std::uint16_t led = 0;  ///< id of the target's point that its blinking shows; 0 = not known
+  int reach_px = 0;       ///< rows above and below that had a say; regions of the next pictures must hold them
 };
 
 enum class Coverage : std::uint8_t { kWholeFrame, kRegions };
@@ -57,6 +58,8 @@ struct Observation {
   std::optional<Duration> exposure;  ///< how long each row was exposed; absent = the camera does not say
   std::uint64_t forecast_used = 0;   ///< number of the forecast, 0 = none
   Coverage coverage = Coverage::kWholeFrame;
+  bool leds_out = false;       ///< not all LEDs were lit: a sign of life and a stamp, and nothing to be seen
+  std::uint32_t left_out = 0;  ///< so many such pictures came right before
   FixedVector<ImagePoint, kMaxImagePoints> points;
   ImageHealth health;
 };

@@ -117,6 +117,11 @@ std::optional<FrameRenderer::Sight> FrameRenderer::sight_of(const LightSource& l
   return Sight{.at = *at, .depth_mm = in_camera_mm.z(), .in_reference_mm = in_reference_mm};
 }
 
+double FrameRenderer::lit_share(const LightSource& light, Duration from_1970, Duration to_1970) const {
+  const LitShare& share = world_.settings().lit_share;
+  return share && light.switched_by ? share(*light.switched_by, from_1970, to_1970) : 1.0;
+}
+
 /// The row gives the time, the time gives the row.
 std::optional<FrameRenderer::Sight> FrameRenderer::sight_by_row(const LightSource& light, LightTruth& truth) const {
   const Duration row_0 = truth.exposed_since_1970;
@@ -168,6 +173,9 @@ LightTruth FrameRenderer::add_light(const LightSource& light, Duration exposed_s
   truth.core_sigma_px = sigma_px(light, sensor.optical_sigma_px, px_per_mm);
   truth.peak = energy / (2.0 * std::numbers::pi * truth.core_sigma_px * truth.core_sigma_px);
   truth.visible = inside(sight->at, raw_.size());
+  const Duration half = world_.settings().exposure / 2;
+  truth.lit_share = lit_share(light, truth.exposed_since_1970 - half, truth.exposed_since_1970 + half);
+  if (truth.lit_share <= 0.0) return truth;
   const std::vector<Mask> masks = masks_before(light, truth);
   if (!masks.empty()) truth.visible_share = seen_share(truth, light.elongation, masks, world_.normal());
   const double seen_energy = energy * truth.visible_share;
@@ -194,11 +202,13 @@ void FrameRenderer::add_gaussian(const LightSource& light, const LightTruth& tru
   const double path_px = velocity_px_per_s.norm() * seconds(settings.exposure);
   const int steps = static_cast<int>(
       std::clamp(std::ceil(kStepsPerSigma * path_px / part.sigma_px), 1.0, static_cast<double>(kMaxBlurSteps)));
-  const double share = part.energy / steps;
+  const double exposure_s = seconds(settings.exposure);
   for (int i = 0; i < steps; ++i) {
-    const Duration offset = duration_from_seconds(seconds(settings.exposure) * ((i + 0.5) / steps - 0.5));
-    const std::optional<Sight> sight = sight_of(light, middle + offset);
-    if (!sight) continue;
+    const auto since_middle = [&](double step) { return duration_from_seconds(exposure_s * (step / steps - 0.5)); };
+    const std::optional<Sight> sight = sight_of(light, middle + since_middle(i + 0.5));
+    const double lit = lit_share(light, middle + since_middle(i), middle + since_middle(i + 1.0));
+    if (!sight || lit <= 0.0) continue;
+    const double share = lit * part.energy / steps;
     light_.add({.at = sight->at,
                 .sigma_px = part.sigma_px,
                 .elongation = part.elongation,

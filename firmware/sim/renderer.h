@@ -23,6 +23,7 @@ struct LightTruth {
   double core_sigma_px = 0.0;
   double peak = 0.0;           ///< of the core in this picture, times clip
   bool visible = false;        ///< in front of the camera and inside the picture; otherwise `at` may be anything
+  double lit_share = 1.0;      ///< of the exposure; 0 when it was out
   double visible_share = 1.0;  ///< of the core's light: the rest is hidden by nearer figures or falls beside the mirror
 };
 
@@ -70,6 +71,7 @@ class FrameRenderer {
     double energy = 0.0;  ///< in a channel of relative colour 1
     std::span<const Mask> masks = {};
   };
+  [[nodiscard]] double lit_share(const LightSource& light, Duration from_1970, Duration to_1970) const;
   [[nodiscard]] std::optional<Sight> sight_of(const LightSource& light, Duration since_1970) const;
   [[nodiscard]] std::optional<Sight> sight_by_row(const LightSource& light, LightTruth& truth) const;
   [[nodiscard]] std::vector<Mask> masks_before(const LightSource& light, const LightTruth& truth) const;

@@ -12,9 +12,10 @@ LightSource reflection_of(const LightSource& light, const Outline& mirror, doubl
 
 Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak) {
   Scene scene;
-  int id = 0;
   for (const Vec3& place_mm : places_in_target_mm) {
-    scene.lights.push_back({.id = ++id, .place_mm = place_mm, .peak = peak});
+    LightSource led{.id = static_cast<int>(scene.lights.size()) + 1, .place_mm = place_mm, .peak = peak};
+    led.switched_by = scene.lights.size();
+    scene.lights.push_back(led);
   }
   return scene;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -48,6 +49,7 @@ struct LightSource {
   PerSide<double> gain{1.0, 1.0};      ///< of `peak` in each view: lamps are directed, highlights differ by the view
   double veil_share = 0.0;             ///< energy of the veil over that of the core
   double veil_of_width = 0.08;         ///< standard deviation of the veil over the picture's width
+  std::optional<std::size_t> switched_by = std::nullopt;  ///< line of the simulated LEDs; absent: always lit
   std::optional<Outline> mirror = std::nullopt;  ///< seen in this mirror only, as far behind it as it is in front
 };
 inline constexpr double kPeakDistance_mm = 400.0;
@@ -72,7 +74,7 @@ struct Scene {
   std::optional<Chessboard> board = std::nullopt;  ///< before all surfaces; lights are not hidden by it
 };
 
-/// LEDs with ids 1, 2, ... at these places of the target, before a textured grey wall.
+/// LEDs with ids 1, 2, ... and lines 0, 1, ... at these places of the target, before a textured grey wall.
 Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak = 1.5);
 
 }  // namespace tripoint

@@ -1,7 +1,9 @@
 // What can be chosen about the simulation: motion, scene, cameras, clocks, and what goes wrong when.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "geometry/rig.h"
@@ -43,6 +45,10 @@ struct PlannedTrouble {
 
 inline constexpr GainRange kSimulatedGains{0, 255, 1};  ///< as common webcams have them
 
+/// Share of the time from one moment since 1970 to another in which the light of a line was lit, 0 to 1; when both are
+/// one moment, 0 or 1. Asked only about times that are over.
+using LitShare = std::function<double(std::size_t line, Duration from_1970, Duration to_1970)>;
+
 struct SimulationSettings {
   Trajectory trajectory = paper_circular();
   Scene scene = led_scene({Vec3::Zero()});
@@ -58,6 +64,7 @@ struct SimulationSettings {
   Duration line_time{std::chrono::microseconds{30}};  ///< row r is exposed r times this later
   PerSide<CameraClock> clocks;
   std::vector<PlannedTrouble> troubles;
+  LitShare lit_share;  ///< empty: what could be switched is always lit
   std::uint64_t seed = 1;
 };
 

@@ -77,8 +77,10 @@ Result<Frame> SimulatedCamera::next_frame(Duration limit) {
   const bool late = ready > deadline;
   lost_ = lost_ || has_trouble(Trouble::kVanish, now) || has_trouble(Trouble::kVanish, std::min(ready, deadline));
   if (lost_) return unplugged(side_);
-  if (!late) take(number);  // before waiting, so that rendering costs no latency
+  const bool foreseen = !world_.settings().lit_share;  // nobody knows before how a line is going to be switched
+  if (!late && foreseen) take(number);                 // before waiting, so that rendering costs no latency
   wait_until_(std::min(ready, deadline));
+  if (!late && !foreseen) take(number);
   if (late) {
     return failure(ErrorCode::kTimeout, "simulated camera " + std::string(name(side_)) + ": no frame within the limit");
   }

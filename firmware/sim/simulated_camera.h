@@ -16,7 +16,8 @@ namespace tripoint {
 /// Sleeps in real time by this clock, which must outlive what is returned.
 WaitUntil sleeping_by(const Clock& clock);
 
-/// Renders a frame while its exposure lasts and hands it out when it would have been read out. The motion follows UTC:
+/// Renders a frame while its exposure lasts and hands it out when it would have been read out; with lights that are
+/// switched it renders after that. The motion follows UTC:
 /// the target is where the trajectory is at the frame's time since 1970.
 class SimulatedCamera final : public Camera {
  public:

@@ -60,6 +60,17 @@ def test_spheres_are_not_measured(tmp_path: Path) -> None:
     assert 'set "led"' in run.stderr
 
 
+def test_a_modulated_configuration_is_refused(tmp_path: Path) -> None:
+    config = tmp_path / "modulated.toml"
+    text = CONFIG.read_text(encoding="utf-8") + "[modulation]\nenabled = true\n"
+    config.write_text(text, encoding="utf-8")
+    folder = recording(tmp_path / "r", "yuyv", [bytes(WHOLE)])
+    run = finished("replay", str(folder), "--calibration", str(CALIBRATION), "--config", str(config))
+    assert run.returncode != 0
+    assert "modulation.enabled: a recording does not say which LEDs were lit when" in run.stderr
+    assert "set false" in run.stderr
+
+
 def test_an_unknown_key_is_named_with_its_line(tmp_path: Path) -> None:
     code, said = replayed(recording(tmp_path / "newer", "yuyv", [bytes(WHOLE)], "line_time_ms = 1"))
     assert code == 2

@@ -25,6 +25,7 @@ ALLOWED: dict[str, set[str]] = {
     "line-values": {"values", "geometry"},
     "line": {"values", "geometry", "line-values"} | {f"line/{stage}" for stage in STAGES},
     "capture": {"values", "geometry", "ports", "line/detect", "line-values"},
+    "modulation": {"values", "geometry", "ports", "line/detect", "line/align", "line-values"},
     "document": {"values"},
     "calibration": {"values", "geometry", "document"},
     "config": {"values", "geometry", "document"},

@@ -11,7 +11,8 @@ constexpr Duration kLongestGap{80'000'000};        // two frame periods at 30 fp
 constexpr Duration kLongestExposure{100'000'000};  // of a camera whose frame period is not known either: 10 fps
 constexpr double kUsualSpeed_px_per_s = 500.0;     // standard deviation of an unknown speed: 0.3 m/s at 400 mm
 
-constexpr double kBendTurns = 0.5;  // part of a bend that the next frame period may turn sideways
+constexpr double kBendTurns = 0.5;     // part of a bend that the next frame period may turn sideways
+constexpr double kCornerTurns = 0.25;  // part of a corner that may lie sideways of where noise lets it seem to be
 
 /// A time, and the standard deviation with which it is known in this camera.
 struct Moment {
@@ -54,6 +55,12 @@ std::optional<Vec2> acceleration_px_per_s2(const Sample& first, const Sample& se
   return 2.0 / (before_s + after_s) * change;
 }
 
+/// Something left out that is known no better than this. Were it taken to lie exactly in its estimated direction, a
+/// small part of it across the epipolar line would seem to reveal all of it.
+Matrix2 spread_of(const Vec2& left_out_px, double turns) {
+  return left_out_px * left_out_px.transpose() + turns * turns * left_out_px.squaredNorm() * Matrix2::Identity();
+}
+
 /// What a straight line leaves out at a share of the way from early to late. A steady acceleration leaves out half of
 /// share (1 - share) of its bend, which may turn until the next picture. What has changed in the acceleration may be a
 /// corner between the two pictures, which leaves out up to share of that change: taken as two standard deviations.
@@ -67,8 +74,7 @@ Matrix2 bend_px2(const Track& track, const StampClock& clock, const Sample& earl
   const double turn_s = 0.5 * (step_s + seconds(early.at - first->at));  // acceleration times it: change of velocity
   const Vec2 steady = 0.5 * share * (1.0 - share) * step_s * step_s * *now;
   const Vec2 corner = 0.5 * share * step_s * turn_s * (*now - before);
-  return steady * steady.transpose() + kBendTurns * kBendTurns * steady.squaredNorm() * Matrix2::Identity() +
-         corner * corner.transpose();
+  return spread_of(steady, kBendTurns) + spread_of(corner, kCornerTurns);
 }
 
 AlignedPoint exact(const Track& track, const StampClock& clock, const Sample& sample, double offset_sigma_s) {

@@ -18,6 +18,9 @@ bool is_finite(const ImagePoint& point) {
 
 Vec2 place_of(const ImagePoint& point) { return {point.at.u_px, point.at.v_px}; }
 
+/// Known to be two LEDs.
+bool differ(const ImagePoint& a, const ImagePoint& b) { return a.led != 0 && b.led != 0 && a.led != b.led; }
+
 }  // namespace
 
 const TrackedPicture& Track::picture(std::size_t back) const {
@@ -34,7 +37,7 @@ void Track::take(const Observation& seen) {
   now.line_time = seen.line_time;
   now.exposure = seen.exposure;
   now.health = seen.health;
-  now.frames_dropped = size_ > 1 && seen.frame - picture(1).frame > 1;
+  now.frames_dropped = size_ > 1 && seen.frame - picture(1).frame > 1 + seen.left_out;
   now.points.clear();
   for (const ImagePoint& point : seen.points) {
     if (is_finite(point)) now.points.push_back(point);
@@ -77,7 +80,8 @@ void Track::link_to_picture_before(TrackedPicture& now) const {
   now.links =
       linked({expected.begin(), expected.size()}, {places.begin(), places.size()}, kFastest_px_per_frame * steps);
   for (std::size_t i = 0; i < now.links.size(); ++i) {
-    const Link& link = now.links[i];
+    Link& link = now.links[i];
+    if (link.before && differ(before.points[*link.before], now.points[i])) link = Link{.before = {}, .ambiguous = true};
     if (link.before) now.step_px[i] = (places[i] - place_of(before.points[*link.before])) / steps;
   }
 }

@@ -41,6 +41,7 @@ void Tracks::take(const Observation& seen) {
   if (presence.repeats >= kMostRepeats) lose(seen.side);
   if (seen.health.identical) return;
   welcome(seen.side);
+  if (seen.leds_out) return;
   tracks_[seen.side].take(seen);
   fresh_ = seen.side;
 }

@@ -17,7 +17,7 @@ class Tracks {
 
   /// A camera is lost when it says so, is silent for too long, or repeats itself twice in a row; with its next new
   /// picture, or when its thread says so, it is back. A repeated picture is old whatever its stamp says: it is left
-  /// out.
+  /// out. So is one in which not all LEDs were lit, which is a sign of life all the same.
   void take(const Event& event);
 
   const Track& operator[](Side side) const { return tracks_[side]; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -54,6 +55,11 @@ bool alike(const ImagePoint& left, const ImagePoint& right) {
   return sizes && (left.weak != right.weak || within_ratio(left.amplitude, right.amplitude, kMostBrightnessRatio));
 }
 
+/// Two that blink as different LEDs are no pair, wherever they are.
+bool same_led(const ImagePoint& left, const ImagePoint& right) {
+  return left.led == 0 || right.led == 0 || left.led == right.led;
+}
+
 /// What speaks against a pair inside the epipolar gate, nothing when it is possible.
 Faults against(const PerSide<MeasuredPixel>& pixels, const DepthRange& range, const LineModel& model) {
   const Result<TriangulatedPoint> point = triangulated(model.rig, pixels, model.limits.min_angle_rad);
@@ -79,6 +85,7 @@ Candidates candidates(const Aligned& seen, const LineModel& model) {
   const DepthRange range = depth_range(model);
   for (std::size_t i = 0; i < seen.points.left.size(); ++i) {
     for (std::size_t j = 0; j < seen.points.right.size(); ++j) {
+      if (!same_led(seen.points.left[i].seen, seen.points.right[j].seen)) continue;
       const PerSide<MeasuredPixel> pixels = whole_uncertainty(seen.points.left[i], seen.points.right[j]);
       const std::optional<EpipolarGate> gate = epipolar_gate(model, pixels);
       if (!gate || !gate->passed) continue;
@@ -123,8 +130,13 @@ Pairs unique_pairs(const Candidates& found, const Aligned& seen) {
   return unique;
 }
 
+/// By their blinking, or a single one by being alone.
 Pairs identified(Pairs unique, const Target& target) {
   if (unique.pairs.empty()) return unique;
+  for (Pair& pair : unique.pairs) {
+    const std::uint16_t led = pair.points.left.seen.led;
+    if (led == pair.points.right.seen.led) pair.id = led;
+  }
   if (target.points.size() == 1 && unique.pairs.size() == 1 && unique.faults.empty()) {
     unique.pairs[0].id = target.points[0].id;
   } else {

@@ -1,4 +1,4 @@
-// Which spot of the left picture and which of the right are one point: by geometry alone, and never by guessing.
+// Which spot of the left picture and which of the right are one point: by geometry and identity, never by guessing.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +26,14 @@ struct Pairs {
   Faults faults;
 };
 
-/// Pairs within the epipolar gate and the depth range of the working volume. A single point is identified when there
-/// is exactly one possible pair; targets with more points are not identified and stay ambiguous.
+/// Pairs within the epipolar gate and the depth range of the working volume. LEDs that are known by their blinking pair
+/// with themselves alone. Otherwise a single point is identified when there is exactly one possible pair. Targets with
+/// more points stay ambiguous.
 ///
 /// @return kNotSeenLeft/Right  no spot there;  kEpipolarGate  spots on both sides, none belong together
 ///         kOutsideVolume      a pair, but not at a depth of the volume
 ///         kGeometryGate       a pair whose rays do not meet in front of both cameras
-///         kAmbiguous          a spot with two partners, more spots than can be matched, an unidentified target
+///         kAmbiguous          a spot with two partners, more spots than can be matched, a target of several points
 Pairs match(const Aligned& seen, const LineModel& model);
 
 }  // namespace tripoint

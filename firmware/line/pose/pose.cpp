@@ -91,7 +91,7 @@ Fit pose_of_target(const Aligned& seen, const Pairs& pairs, const LineModel& mod
     }
     squares_px2 += residual_square_px2(at->point);
     fit.points.push_back(measured_point(pair, *at, model));
-    if (pair.id == 0) continue;
+    if (pair.id == 0 || model.target.points.size() > 1) continue;
     fit.pose = position_only(*at, model);
     fit.timing_sigma_mm = std::sqrt(at->timing_mm2.trace());
     fit.uncorrected_cost_mm = at->uncorrected_cost_mm;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,15 @@ namespace {
 
 Result<UnitSetup> demo_setup(const std::vector<std::string>& overrides = {}) {
   return load_config(test::top_folder() / "deploy/demo/demo.toml", overrides).and_then(unit_setup);
+}
+
+/// A file of one tag; its path.
+std::string tag_target(const std::string& name) {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / name;
+  std::ofstream(path)
+      << "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"tag36h11\"\n[[tags]]\nid = 1\n"
+         "size_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
+  return path.string();
 }
 
 CameraStatus camera(const std::string& serial, ImageSize size = {640, 480}) {
@@ -64,6 +74,22 @@ TEST(UnitSetupTest, SpheresAreNotMeasuredAndTheRemedyIsSaid) {
     EXPECT_NE(setup.error().message.find("detector.kind: \"sphere\""), std::string::npos) << setup.error().message;
     EXPECT_NE(setup.error().message.find("set \"led\""), std::string::npos) << setup.error().message;
   }
+}
+
+TEST(UnitSetupTest, ModulationIsPartOfTheSetupAndNeedsATargetOfLeds) {
+  const Result<UnitSetup> setup = demo_setup({"modulation.enabled=true"});
+  ASSERT_TRUE(setup) << setup.error().message;
+  ASSERT_EQ(setup->target.points.size(), 1U);
+  EXPECT_EQ(setup->target.points[0].id, 1);
+  EXPECT_NE(setup->constants.identity.setup, demo_setup()->constants.identity.setup);
+
+  const std::string tags = tag_target("modulated_tags.toml");
+  EXPECT_TRUE(demo_setup({"calibration.file=", "target.file=" + tags}));
+  const Result<UnitSetup> refused = demo_setup({"calibration.file=", "target.file=" + tags, "modulation.enabled=true"});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kMismatch);
+  EXPECT_NE(refused.error().message.find("target.file: the target is made of AprilTags"), std::string::npos)
+      << refused.error().message;
 }
 
 TEST(UnitSetupTest, TheSetupChangesWithWhatAPoseMeansAndWithNothingElse) {

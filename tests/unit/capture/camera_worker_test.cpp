@@ -101,6 +101,23 @@ TEST(CameraWorkerTest, MjpegIsDecodedAroundTheForecastBetweenWholePictures) {
   EXPECT_EQ(bench.luma_seen, (std::vector<int>{101, 102, 103, 103, 103, 106, 107}));
 }
 
+TEST(CameraWorkerTest, WhatIsSiftedIsSeenWholeAndFinished) {
+  WorkerBench bench({grey_jpegs(1, 7)});
+  forecast_spot(bench, 4);
+  std::vector<std::uint32_t> sifted;
+  bench.sift = [&](const Observation& seen, const Picture& picture) {
+    sifted.push_back(seen.frame);
+    EXPECT_EQ(seen.coverage, Coverage::kWholeFrame) << seen.frame;
+    EXPECT_EQ(picture.luma.at(0, 0), 100 + static_cast<int>(seen.frame));
+    Observation believed = seen;
+    believed.points.clear();
+    return believed;
+  };
+  bench.run();
+  EXPECT_EQ(sifted, (std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7}));
+  for (const Observation& seen : bench.observations()) EXPECT_TRUE(seen.points.empty());
+}
+
 TEST(CameraWorkerTest, ACameraThatWasOpenedAnewIsSeenWholeFirst) {
   WorkerBench bench({grey_jpegs(1, 3), grey_jpegs(4, 4)});
   forecast_spot(bench, 3);

@@ -57,6 +57,7 @@ WorkerBench::WorkerBench(std::vector<std::variant<Script, Error>> openings, Came
 void WorkerBench::run() {
   CameraTasks tasks{.open = [this] { return open(); },
                     .detect = [this](const Picture& p, const Forecast& f) { return detect(p, f); },
+                    .sift = sift,
                     .pause = [this](Duration pause, const std::stop_token&) { pauses_.push_back(pause); }};
   CameraWorker worker(Side::kLeft, std::move(tasks), {queue_, forecast, status_, clock_}, limits_);
   worker.run(stop_.get_token());

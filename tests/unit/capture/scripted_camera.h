@@ -52,6 +52,7 @@ class WorkerBench {
   [[nodiscard]] std::vector<Observation> observations() const;
 
   Duration exposure{0};  ///< that the camera reads back; 0 = not known
+  SiftPoints sift;       ///< what is believed of what the detector finds; none: all
   Latest<Forecast> forecast;
   std::vector<std::uint64_t> forecasts_seen;
   std::vector<int> luma_seen;  ///< of pixel (0, 0), by the detector

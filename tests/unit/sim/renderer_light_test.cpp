@@ -173,5 +173,37 @@ TEST(RendererLightTest, PaintedMirrorDoesNotHideWhatIsSeenInIt) {
   EXPECT_NEAR(seen_left(settings).truth.visible_share, 1.0, 1e-4);
 }
 
+TEST(RendererLightTest, ALightGivesWhatTheLitShareOfItsExposureLeaves) {
+  SimulationSettings settings = straight_settings();
+  settings.exposure = std::chrono::milliseconds(4);
+  const double whole = seen_left(settings).energy;
+  for (const double share : {0.0, 0.3, 1.0}) {
+    settings.lit_share = [share](std::size_t line, Duration, Duration) { return line == 0 ? share : -1.0; };
+    const Seen seen = seen_left(settings);
+    EXPECT_EQ(seen.truth.lit_share, share);
+    EXPECT_NEAR(seen.energy, share * whole, 1e-6 * whole);
+  }
+}
+
+TEST(RendererLightTest, AMovingLightThatGoesOutIsSeenWhereItWasLit) {
+  SimulationSettings settings = straight_settings();
+  settings.exposure = std::chrono::milliseconds(20);
+  settings.trajectory = straight({0.0, 0.0, 400.0}, {500.0, 0.0, 0.0});  // 10 mm, 15.7 px in an exposure
+  settings.lit_share = [](std::size_t, Duration from, Duration) { return from < kHalfWay ? 1.0 : 0.0; };
+  const SimulatedWorld world = world_of(settings);
+  FrameRenderer renderer(world, Side::kLeft);
+  const RawPixel middle = renderer.render(kHalfWay, 0).truth.lights[0].at;
+  const double path_px = 10.0 / 400.0 * settings.rig.cameras.left.focal_px.x();
+  EXPECT_NEAR(light_moments(renderer).center.u_px, middle.u_px - path_px / 4.0, 0.05) << "the first half's middle";
+}
+
+TEST(RendererLightTest, WhatNoLineSwitchesIsAlwaysLit) {
+  SimulationSettings settings = straight_settings();
+  const double whole = seen_left(settings).energy;
+  settings.scene.lights[0].switched_by.reset();
+  settings.lit_share = [](std::size_t, Duration, Duration) { return 0.0; };
+  EXPECT_EQ(seen_left(settings).energy, whole);
+}
+
 }  // namespace
 }  // namespace tripoint

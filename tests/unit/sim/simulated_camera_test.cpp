@@ -110,6 +110,19 @@ TEST_F(SimulatedCameraTest, TargetIsWhereUtcSaysAndStampsAreWhatTheClockSays) {
   }
 }
 
+TEST_F(SimulatedCameraTest, LinesAreAskedOnlyAboutTimesThatAreOver) {
+  SimulationSettings settings = camera_settings();
+  Duration latest{0};
+  settings.lit_share = [&](std::size_t, Duration, Duration to_1970) {
+    latest = std::max(latest, to_1970);
+    EXPECT_LE(to_1970, clock_.now().time_since_epoch() + kUtcOffset);
+    return 1.0;
+  };
+  build(settings);
+  ASSERT_TRUE(camera_->next_frame(milliseconds{100}));
+  EXPECT_GT(latest, Duration{0}) << "it was asked";
+}
+
 TEST_F(SimulatedCameraTest, CameraOpenedLaterStartsCountingFromZero) {
   clock_.set(kStart + std::chrono::seconds{10});
   build(camera_settings());

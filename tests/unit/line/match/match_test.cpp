@@ -112,6 +112,33 @@ TEST(MatchTest, GlareAndAnotherScaleAreNotCompared) {
   EXPECT_TRUE(match(seen, model).faults.empty());
 }
 
+TEST(MatchTest, LedsThatAreKnownByTheirBlinkingPairWithThemselves) {
+  LineModel model = webcam_model();
+  model.target.points.push_back({2, Vec3(50.0, 0.0, 0.0), 0.05});
+  const Vec3 eye = model.rig.camera_from_rig.left.inverse().translation();
+  const Vec3 point{10.0, 15.0, 400.0};
+  Aligned seen = seen_at_rest(model, {point, eye + 1.25 * (point - eye)});  // one spot on top of the other at the left
+  EXPECT_TRUE(match(seen, model).pairs.empty());
+  for (const Side side : kBothSides) {
+    for (const std::uint16_t led : {std::uint16_t{1}, std::uint16_t{2}}) seen.points[side][led - 1U].seen.led = led;
+  }
+  const Pairs found = match(seen, model);
+  ASSERT_EQ(found.pairs.size(), 2U);
+  for (const Pair& pair : found.pairs) {
+    EXPECT_EQ(pair.id, pair.points.left.seen.led);
+    EXPECT_EQ(pair.id, pair.points.right.seen.led);
+  }
+}
+
+TEST(MatchTest, ADifferentLedIsNoPartnerWhereverItLies) {
+  const LineModel model = webcam_model();
+  Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});
+  seen.points.left[0].seen.led = 1;
+  seen.points.right[0].seen.led = 2;
+  EXPECT_TRUE(match(seen, model).pairs.empty());
+  EXPECT_FALSE(match(seen, model).faults.empty());
+}
+
 TEST(MatchTest, WhatAlignCouldNotFollowIsNotCalledUnseen) {
   const LineModel model = webcam_model();
   Aligned seen = seen_at_rest(model, {{10.0, 15.0, 400.0}});

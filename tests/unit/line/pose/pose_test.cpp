@@ -51,6 +51,15 @@ TEST(PoseTest, BothMethodsFindThePointInTheOutputFrame) {
   }
 }
 
+TEST(PoseTest, OneIdentifiedPointOfSeveralIsNoPose) {
+  LineModel model = webcam_model();
+  model.target.points.push_back({2, Vec3(50.0, 0.0, 0.0), 0.05});
+  const Fit fit = fit_of(model, pair_at(model, kPoint, 1));
+  EXPECT_FALSE(fit.pose);
+  ASSERT_EQ(fit.points.size(), 1U);
+  EXPECT_EQ(fit.points[0].id, 1);
+}
+
 TEST(PoseTest, TheCovarianceTurnsWithTheFrame) {
   LineModel model = webcam_model();
   const Matrix3 plain = fit_of(model, pair_at(model, kPoint, 1)).pose->noise.topLeftCorner<3, 3>();
