@@ -21,8 +21,8 @@ ImagePoint spot_at(double u_px, double v_px) {
 
 class LightTracksTest : public testing::Test {
  protected:
-  /// One picture, 33 ms after the one before, in which all LEDs were lit.
-  void show(const std::vector<ImagePoint>& points) {
+  /// One picture, 33 ms after the one before.
+  void show(const std::vector<ImagePoint>& points, LitLeds lit = LitLeds::first(1)) {
     Observation seen;
     seen.exposed = TimePoint{std::chrono::milliseconds(33 * ++pictures_)};
     for (const ImagePoint& point : points) seen.points.push_back(point);
@@ -35,7 +35,14 @@ class LightTracksTest : public testing::Test {
                                              .exposed = {},
                                              .arrived = {},
                                              .line_time = {}});
-    tracks_.follow(seen, picture, [](double /*row_px*/) { return LitLeds::first(1); });
+    tracks_.follow(seen, picture, [lit](double /*row_px*/) { return lit; });
+  }
+
+  /// Red or grey, around (100, 100).
+  void paint(bool red) {
+    for (std::size_t v = 97; v <= 103; ++v) {
+      for (std::size_t u = 96; u <= 104; u += 2) grey_[2 * (320 * v + u) + 3] = red ? 220 : 128;
+    }
   }
 
   LightTracks tracks_{LedCode(1)};
@@ -73,6 +80,20 @@ TEST_F(LightTracksTest, OneThatJumpsIsAnother) {
   for (int i = 0; i < 3; ++i) show({spot_at(100.0, 100.0)});
   show({spot_at(140.0, 100.0)});
   EXPECT_EQ(tracks_.all().size(), 2U);
+}
+
+TEST_F(LightTracksTest, NoSpotIsNotEnoughThePlaceMustBeDark) {
+  const LedCode code(1);
+  for (const bool shines_on : {false, true}) {
+    tracks_.clear();
+    for (std::uint64_t step = 0; step < 10; ++step) {
+      const LitLeds lit = code.lit_in(step);
+      paint(shines_on || !lit.empty());
+      show(lit.empty() ? std::vector<ImagePoint>{} : std::vector{spot_at(100.0, 100.0)}, lit);
+    }
+    ASSERT_EQ(tracks_.all().size(), 1U);
+    EXPECT_EQ(tracks_.all()[0].blink.led().has_value(), !shines_on);
+  }
 }
 
 TEST_F(LightTracksTest, OneThatIsNotSeenForAsLongAsAnLedMayBeOutIsForgotten) {
