@@ -4,12 +4,14 @@ namespace tripoint {
 
 void Blink::take_seen(LitLeds lit) {
   may_be_ = may_be_.both(lit);
+  ++seen_in_a_row_;
   note_slot(lit);
 }
 
 void Blink::take_dark(LitLeds lit) {
   may_be_ = may_be_.without(lit);
   ++times_out_;
+  seen_in_a_row_ = 0;
   out_last_ = true;
   note_slot(lit);
 }
@@ -20,7 +22,7 @@ void Blink::take_unclear(LitLeds lit) {
 
 std::optional<std::size_t> Blink::led() const {
   const bool whole_code = slots_known_ == LitLeds::first(code_.slots().size());
-  if (!whole_code || times_out_ < kTimesOut || !out_last_) return std::nullopt;
+  if (!whole_code || times_out_ < kTimesOut || !out_last_ || seen_in_a_row_ > kMostSeenInARow) return std::nullopt;
   return may_be_.only();
 }
 

@@ -25,13 +25,16 @@ class Blink {
   void take_unclear(LitLeds lit);
 
   /// Which LED it is: the only one that is left, after each slot was seen or dark, and kTimesOut times dark, the last
-  /// time that it had to be.
+  /// time that it had to be. Not for longer than kMostSeenInARow pictures without being dark: nobody switches any more.
   [[nodiscard]] std::optional<std::size_t> led() const;
   /// It is none of the LEDs, whatever comes.
   [[nodiscard]] bool none() const { return may_be_.empty(); }
 
   /// Between three times out there are always two pictures in a row in which all are lit.
   static constexpr int kTimesOut = 3;
+  /// At most 9 are lit between two in which an LED has to be out, with 3 of 6 slots lit and one or two "all" beside
+  /// each.
+  static constexpr int kMostSeenInARow = 12;
 
  private:
   void note_slot(LitLeds lit);
@@ -40,6 +43,7 @@ class Blink {
   LitLeds may_be_;
   LitLeds slots_known_;
   int times_out_ = 0;
+  int seen_in_a_row_ = 0;
   bool out_last_ = false;
 };
 

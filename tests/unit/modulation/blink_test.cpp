@@ -28,6 +28,30 @@ TEST(BlinkTest, EachLedIsKnownAfterItsCodeAndNotTakenForAnother) {
   }
 }
 
+TEST(BlinkTest, EachLedStaysKnownForAsLongAsItsCodeIsShown) {
+  for (std::size_t leds = 1; leds <= kMaxTargetPoints; ++leds) {
+    for (std::size_t led = 0; led < leds; ++led) {
+      for (std::uint64_t steps = 40; steps < 100; ++steps) {
+        EXPECT_EQ(shown(LedCode(leds), led, steps).led(), led) << led << " of " << leds << " after " << steps;
+      }
+    }
+  }
+}
+
+TEST(BlinkTest, AnLedThatNobodySwitchesAnyMoreIsNotBelievedForLong) {
+  const LedCode code(1);
+  Blink blink = shown(code, 0, 10);  // the last step was one in which it is out
+  for (int i = 0; i < Blink::kMostSeenInARow; ++i) {
+    blink.take_seen(code.all());
+    EXPECT_EQ(blink.led(), 0U) << i;
+  }
+  blink.take_seen(code.all());
+  EXPECT_FALSE(blink.led());
+  EXPECT_FALSE(blink.none());
+  blink.take_dark(LitLeds{});
+  EXPECT_EQ(blink.led(), 0U) << "they are switched again";
+}
+
 TEST(BlinkTest, ASteadyLightIsNone) {
   const LedCode code(1);
   Blink blink(code);
