@@ -80,12 +80,6 @@ Eigen::Matrix<double, 4, 3> jacobian_by_place(const StereoCalibration& truth, co
   return jacobian;
 }
 
-Matrix3 cross_matrix(const Vec3& a) {
-  Matrix3 cross;
-  cross << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return cross;
-}
-
 class Views {
  public:
   explicit Views(std::uint64_t seed) : random_(seed) {}

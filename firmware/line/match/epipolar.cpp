@@ -11,12 +11,6 @@ constexpr double kFarOutside_px = 50.0;  // no calibration error explains that: 
 
 using Matrix29 = Eigen::Matrix<double, 2, 9>;
 
-Matrix3 cross_matrix(const Vec3& v) {
-  Matrix3 m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
-
 /// How a rotation vector's change turns the result: R(w + dw) = exp(J dw) R(w).
 /// Source: Chirikjian 2012, "Stochastic Models, Information Theory, and Lie Groups 2", eq. 10.86.
 Matrix3 left_jacobian(const Vec3& rotation_rad) {

@@ -4,6 +4,7 @@
 
 #include "geometry/paper.h"
 #include "geometry/triangulation.h"
+#include "line/pose/paper_part.h"
 #include "line/pose/timing_part.h"
 
 namespace tripoint {
@@ -24,25 +25,37 @@ PerSide<MeasuredPixel> pixels_of(const Pair& pair) {
   return {whole(pair.points.left), whole(pair.points.right)};
 }
 
-Matrix3 shared_covariance_mm2(const LineModel& model, const PerSide<MeasuredPixel>& pixels) {
-  if (model.covariance.isZero(0.0)) return Matrix3::Zero();
-  const Eigen::Matrix<double, 3, 24> jacobian = calibration_jacobian(model.calibration, pixels);
-  const Eigen::Matrix<double, 3, 24> spread = jacobian.lazyProduct(model.covariance);
-  return spread.lazyProduct(jacobian.transpose());
+/// How the place follows the pixels and the calibration, by the model's method.
+struct Slopes {
+  PerSide<Matrix32> by_pixel{Matrix32::Zero(), Matrix32::Zero()};
+  Eigen::Matrix<double, 3, 24> by_calibration = Eigen::Matrix<double, 3, 24>::Zero();
+};
+
+Slopes slopes(const TriangulatedPoint& place, const PerSide<MeasuredPixel>& pixels, const LineModel& model) {
+  Slopes slopes;
+  const bool by_paper = model.method == Method::kPaper;
+  for (const Side side : kBothSides) {
+    slopes.by_pixel[side] =
+        by_paper ? pixel_gain_by_paper(model.rig, pixels, side) : pixel_gain_mm_per_px(model.rig, place, pixels, side);
+  }
+  if (model.covariance.isZero(0.0)) return slopes;
+  slopes.by_calibration = by_paper ? calibration_jacobian_by_paper(model.calibration, pixels)
+                                   : calibration_jacobian(model.calibration, pixels);
+  return slopes;
 }
 
 Result<Located> located(const Pair& pair, const Aligned& seen, const LineModel& model) {
   const PerSide<MeasuredPixel> pixels = pixels_of(pair);
-  const Result<TriangulatedPoint> likeliest = triangulated(model.rig, pixels, model.limits.min_angle_rad);
-  if (!likeliest) return tl::make_unexpected(likeliest.error());
-  const Result<TriangulatedPoint> point =
-      model.method == Method::kPaper ? triangulated_by_paper(model.rig, pixels, model.limits.min_angle_rad) : likeliest;
-  if (!point) return tl::make_unexpected(point.error());
-
-  Located at{*point, shared_covariance_mm2(model, pixels), Matrix3::Zero(), std::nullopt};
+  const Result<TriangulatedPoint> place = model.method == Method::kPaper
+                                              ? triangulated_by_paper(model.rig, pixels, model.limits.min_angle_rad)
+                                              : triangulated(model.rig, pixels, model.limits.min_angle_rad);
+  if (!place) return tl::make_unexpected(place.error());
+  const Slopes slope = slopes(*place, pixels, model);
+  const Eigen::Matrix<double, 3, 24> spread = slope.by_calibration.lazyProduct(model.covariance);
+  Located at{*place, spread.lazyProduct(slope.by_calibration.transpose()), Matrix3::Zero(), std::nullopt};
   for (const Side side : kBothSides) {
     const AlignedPoint& image = pair.points[side];
-    const Matrix32 gain = pixel_gain_mm_per_px(model.rig, *likeliest, pixels, side);
+    const Matrix32& gain = slope.by_pixel[side];
     at.timing_mm2 += gain * image.timing_px2 * gain.transpose();
     if (side == Side::kRight && image.velocity_px_per_s) {
       at.uncorrected_cost_mm = (gain * *image.velocity_px_per_s * seen.skew_s).norm();

@@ -69,22 +69,48 @@ TEST(PoseTest, TheCovarianceTurnsWithTheFrame) {
   EXPECT_NEAR(turned(2, 2), plain(0, 0), 1e-9);
 }
 
-TEST(PoseTest, ACalibrationErrorMovesThePoseAsItsCovarianceSays) {
+class PoseByMethodTest : public ::testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, PoseByMethodTest, ::testing::Values(Method::kMaximumLikelihood, Method::kPaper),
+                         [](const auto& each) { return each.param == Method::kPaper ? "Paper" : "Likelihood"; });
+
+TEST_P(PoseByMethodTest, ACalibrationErrorMovesThePoseAsItsCovarianceSays) {
+  // left fx, left cy, left k1, right cx, right cy, turns about x and y, baseline
+  for (const int parameter : {0, 3, 4, 11, 12, 18, 19, 21}) {
+    LineModel model = webcam_model();
+    model.method = GetParam();
+    const double step = parameter == 4 || parameter == 18 || parameter == 19 ? 1e-4 : 0.05;
+    model.covariance(parameter, parameter) = step * step;
+    const Fit fit = fit_of(model, pair_at(model, kPoint, 1));
+    // the truth: the same pixels through a calibration that is off by that much
+    RigParameters wrong = parameters_of(model.calibration);
+    wrong[parameter] += step;
+    LineModel off = model;
+    off.calibration = calibration_of(wrong, {{640, 480}, {640, 480}});
+    off.rig = *rig_of(off.calibration);
+    const Vec3 moved = fit_of(off, pair_at(model, kPoint, 1)).pose->position_in_output_mm - kPoint;
+    const Matrix3 expected = moved * moved.transpose();
+    const Matrix3 error = fit.pose->shared.topLeftCorner<3, 3>() - expected;
+    EXPECT_LT(error.norm(), 0.01 * expected.norm()) << "parameter " << parameter;  // second order
+    const Matrix3 whole = (fit.pose->shared + fit.pose->noise).topLeftCorner<3, 3>();
+    EXPECT_TRUE(fit.points[0].covariance_mm2.isApprox(whole, 1e-12));
+  }
+}
+
+TEST_P(PoseByMethodTest, AnErrorOfTheClocksMovesThePoseAsItIsSaid) {
   LineModel model = webcam_model();
-  constexpr int kRightCenterU = 11;
-  model.covariance(kRightCenterU, kRightCenterU) = 0.1 * 0.1;
-  const Fit fit = fit_of(model, pair_at(model, kPoint, 1));
-  // the truth: the same pixels through a calibration whose right centre is off by that much
-  RigParameters wrong = parameters_of(model.calibration);
-  wrong[kRightCenterU] += 0.1;
-  LineModel off = model;
-  off.calibration = calibration_of(wrong, {{640, 480}, {640, 480}});
-  off.rig = *rig_of(off.calibration);
-  const Vec3 moved = fit_of(off, pair_at(model, kPoint, 1)).pose->position_in_output_mm - kPoint;
-  const Matrix3 expected = moved * moved.transpose();
-  EXPECT_LT((fit.pose->shared.topLeftCorner<3, 3>() - expected).norm(), 0.01 * expected.norm());  // second order
-  EXPECT_TRUE(
-      fit.points[0].covariance_mm2.isApprox((fit.pose->shared + fit.pose->noise).topLeftCorner<3, 3>().eval(), 1e-12));
+  model.method = GetParam();
+  constexpr double kOffset_s = 0.005;  // as much as the skew
+  const Vec2 velocity_px_per_s{150.0, 40.0};
+  Pair pair = pair_at(model, kPoint, 1);
+  for (const Side side : kBothSides) pair.points[side].velocity_px_per_s = velocity_px_per_s;
+  pair.points.right.timing_px2 = kOffset_s * kOffset_s * velocity_px_per_s * velocity_px_per_s.transpose();
+  const Fit fit = fit_of(model, pair, kOffset_s);
+  Pair late = pair;
+  late.points.right.seen.at.u_px += kOffset_s * velocity_px_per_s.x();
+  late.points.right.seen.at.v_px += kOffset_s * velocity_px_per_s.y();
+  const double moved_mm = (fit_of(model, late).pose->position_in_output_mm - kPoint).norm();
+  EXPECT_NEAR(fit.timing_sigma_mm, moved_mm, 0.02 * moved_mm);
+  EXPECT_NEAR(fit.uncorrected_cost_mm.value(), moved_mm, 0.02 * moved_mm);
 }
 
 TEST(PoseTest, AnUnidentifiedPairIsAPointAndNoPose) {
