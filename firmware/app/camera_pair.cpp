@@ -72,19 +72,41 @@ ExposureOffer CameraPair::offered() const {
   return offer;
 }
 
-Result<void> CameraPair::watch(Side side, int pictures, const std::function<void(const Picture&)>& see) const {
+Result<void> CameraPair::show(Side side, int pictures, const See& see) const {
   MjpegDecoder decoder;
   int bad = 0;
-  for (int seen = 0; seen < kSettling + pictures;) {
-    const Result<Picture> picture = cameras_[side]->next_frame(kFrameLimit).and_then([&](const Frame& frame) {
-      return frame.format == PixelFormat::kMjpeg ? decoder.decode(frame.data, frame.size)
-                                                 : Result<Picture>(picture_of(frame));
+  for (int seen = 0; seen < pictures;) {
+    const Result<void> shown = cameras_[side]->next_frame(kFrameLimit).and_then([&](const Frame& frame) {
+      const Result<Picture> picture = frame.format == PixelFormat::kMjpeg ? decoder.decode(frame.data, frame.size)
+                                                                          : Result<Picture>(picture_of(frame));
+      return picture.map([&](const Picture& decoded) { see(decoded, frame.exposed); });
     });
-    if (picture) {
-      if (++seen > kSettling) see(*picture);
-    } else if (picture.error().code != ErrorCode::kCorruptFrame || ++bad > kMostBadFrames) {
-      return tl::make_unexpected(stopped(side, picture.error()));
+    if (shown) {
+      ++seen;
+    } else if (shown.error().code != ErrorCode::kCorruptFrame || ++bad > kMostBadFrames) {
+      return tl::make_unexpected(stopped(side, shown.error()));
     }
+  }
+  return {};
+}
+
+Result<void> CameraPair::watch(Side side, int pictures, const std::function<void(const Picture&)>& see) const {
+  int settling = kSettling;
+  return show(side, kSettling + pictures, [&](const Picture& picture, TimePoint /*exposed*/) {
+    if (settling-- <= 0) see(picture);
+  });
+}
+
+Result<void> CameraPair::shoot(
+    const std::function<void(Side side, const Picture& picture, TimePoint exposed)>& see) const {
+  for (const Side side : kBothSides) {
+    const Result<void> settled = show(side, kSettling, [](const Picture& /*picture*/, TimePoint /*exposed*/) {});
+    if (!settled) return settled;
+  }
+  for (const Side side : kBothSides) {
+    const Result<void> shown =
+        show(side, 1, [&](const Picture& picture, TimePoint exposed) { see(side, picture, exposed); });
+    if (!shown) return shown;
   }
   return {};
 }

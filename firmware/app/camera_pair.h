@@ -38,10 +38,20 @@ class CameraPair {
   /// @return kDeviceMissing, naming the camera, when it stops in the middle
   Result<void> watch(Side side, int pictures, const std::function<void(const Picture&)>& see) const;
 
+  /// Shows one picture of the left and then one of the right camera, as soon after it as it has one, both after those
+  /// in which a new setting may not show yet. `exposed` is the middle of the exposure of row 0.
+  ///
+  /// @return as watch
+  Result<void> shoot(const std::function<void(Side side, const Picture& picture, TimePoint exposed)>& see) const;
+
  private:
+  using See = std::function<void(const Picture& picture, TimePoint exposed)>;
+
   CameraPair(PerSide<OpenCamera> supply, PerSide<std::unique_ptr<Camera>> cameras, const Config& config,
              const ExposureSetting& setting)
       : supply_(std::move(supply)), cameras_(std::move(cameras)), rate_hz_(config.cameras.rate_hz), setting_(setting) {}
+
+  [[nodiscard]] Result<void> show(Side side, int pictures, const See& see) const;
 
   PerSide<OpenCamera> supply_;  ///< owns what simulated cameras look at: it goes last
   PerSide<std::unique_ptr<Camera>> cameras_;

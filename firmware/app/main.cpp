@@ -13,6 +13,7 @@
 #include "app/expose_command.h"
 #include "app/replay_command.h"
 #include "app/run_command.h"
+#include "app/snapshot_command.h"
 #include "app/version.h"
 
 namespace tripoint {
@@ -26,6 +27,7 @@ struct Arguments {
   ReplayOptions replay;
   ExposeOptions expose;
   std::string purpose = "measuring";
+  std::filesystem::path out;
 };
 
 constexpr const char* kExitCodes =
@@ -88,6 +90,20 @@ void describe_exposing(CLI::App& app, Arguments& arguments) {
       "Example: tripointd expose --config unit.toml --for calibrating --write");
 }
 
+void describe_snapshot(CLI::App& app, Arguments& arguments) {
+  CLI::App* snapshot = app.add_subcommand(
+      "snapshot", "Takes one picture of each camera, exposed for calibrating as [cameras.calibrating] says.");
+  add_configuration(*snapshot, arguments, "--config");
+  snapshot->add_option("--out", arguments.out, "where left-STAMP.png and right-STAMP.png go; made when it is absent")
+      ->type_name("FOLDER")
+      ->required();
+  snapshot->add_flag("--json", arguments.json, "one JSON line");
+  snapshot->footer(
+      "The right picture follows the left one within two frames: keep the board still. Simulated cameras see one.\n"
+      "Stop the unit first: a camera that is in use ends with exit code 3.\n\n"
+      "Example: tripointd snapshot --config unit.toml --out board");
+}
+
 void describe_pictures(CLI::App& app, Arguments& arguments) {
   DetectOptions& options = arguments.detect;
   CLI::App* detect = app.add_subcommand(
@@ -133,6 +149,7 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.footer(kExitCodes);
   describe_running(app, arguments);
   describe_exposing(app, arguments);
+  describe_snapshot(app, arguments);
   describe_pictures(app, arguments);
   describe_replay(app, arguments);
   app.add_subcommand("version", "Prints the version.")->footer("Example: tripointd version");
@@ -149,6 +166,9 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
     expose.purpose = arguments.purpose == "calibrating" ? ExposeFor::kCalibrating : ExposeFor::kMeasuring;
     expose.json = arguments.json;
     return expose_command(expose);
+  }
+  if (app.got_subcommand("snapshot")) {
+    return snapshot_command({arguments.config, arguments.overrides, arguments.out, arguments.json});
   }
   if (app.got_subcommand("detect")) return detect_command(arguments.detect);
   if (app.got_subcommand("replay")) return replay_command(arguments.replay);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -37,7 +38,8 @@ class ShowingCamera final : public Camera {
     return Frame{.format = luma != nullptr ? PixelFormat::kYuyv : PixelFormat::kMjpeg,
                  .size = kSize,
                  .stride_bytes = luma != nullptr ? std::size_t{2} * kSize.width_px : 0,
-                 .data = bytes_};
+                 .data = bytes_,
+                 .exposed = time_from_ns(luma != nullptr ? *luma : 0)};
   }
   [[nodiscard]] const CameraInfo& info() const override { return info_; }
 
@@ -82,6 +84,18 @@ class CameraPairTest : public testing::Test {
                                [&](const Picture& picture) { lumas.push_back(picture.luma.at(3, 2)); });
         })
         .map([&] { return lumas; });
+  }
+
+  /// Side, luma and time of what is shot, in the order of coming.
+  Result<std::vector<std::tuple<Side, int, TimePoint>>> shot() {
+    std::vector<std::tuple<Side, int, TimePoint>> shots;
+    return open()
+        .and_then([&](const CameraPair& cameras) {
+          return cameras.shoot([&](Side side, const Picture& picture, TimePoint exposed) {
+            shots.emplace_back(side, picture.luma.at(3, 2), exposed);
+          });
+        })
+        .map([&] { return shots; });
   }
 
   Config config_;
@@ -178,6 +192,21 @@ TEST_F(CameraPairTest, ACameraThatStopsIsNamed) {
   ASSERT_FALSE(pictures);
   EXPECT_EQ(pictures.error().code, ErrorCode::kDeviceMissing);
   EXPECT_THAT(pictures.error().message, HasSubstr("camera right stopped in the middle, nothing was written"));
+}
+
+TEST_F(CameraPairTest, OneSettledPictureOfEachCameraIsShotWithItsTime) {
+  shown_.left = {std::uint8_t{1}, std::uint8_t{2}, Damaged{}, std::uint8_t{3}, std::uint8_t{40}, std::uint8_t{41}};
+  shown_.right = {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}, Damaged{}, std::uint8_t{50}, std::uint8_t{51}};
+  EXPECT_THAT(shot().value(), ElementsAre(std::tuple(Side::kLeft, 40, time_from_ns(40)),
+                                          std::tuple(Side::kRight, 50, time_from_ns(50))));
+}
+
+TEST_F(CameraPairTest, NothingIsShotBeforeBothCamerasHaveSettled) {
+  shown_.left = {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}, std::uint8_t{40}};
+  shown_.right = {std::uint8_t{1}, std::uint8_t{2}};
+  const auto shots = shot();
+  ASSERT_FALSE(shots);
+  EXPECT_THAT(shots.error().message, HasSubstr("camera right stopped in the middle, nothing was written"));
 }
 
 }  // namespace
