@@ -6,6 +6,7 @@ namespace tripoint {
 namespace {
 
 constexpr double kPixelStep_px = 1e-3;
+constexpr double kAnyAngle_rad = 1e-9;  // a step must not fall out of the range that the point itself lies in
 
 /// Small enough that the second order is below 1e-6, large enough for rounding: of fx fy cx cy in px, of the
 /// distortion, of the rotation in rad, of the translation in mm.
@@ -24,7 +25,7 @@ Matrix32 pixel_gain_by_paper(const Rig& rig, const PerSide<MeasuredPixel>& seen,
     const auto at = [&](double step_px) {
       PerSide<MeasuredPixel> there = seen;
       (axis == 0 ? there[side].at.u_px : there[side].at.v_px) += step_px;
-      return triangulated_by_paper(rig, there);
+      return triangulated_by_paper(rig, there, kAnyAngle_rad);
     };
     const Result<TriangulatedPoint> before = at(-kPixelStep_px);
     const Result<TriangulatedPoint> after = at(kPixelStep_px);
@@ -45,7 +46,7 @@ Eigen::Matrix<double, 3, 24> calibration_jacobian_by_paper(const StereoCalibrati
       there[i] += sign * step[i];
       const Result<Rig> rig = rig_of(calibration_of(there, sizes));
       if (!rig) return tl::make_unexpected(rig.error());
-      return triangulated_by_paper(*rig, seen);
+      return triangulated_by_paper(*rig, seen, kAnyAngle_rad);
     };
     const Result<TriangulatedPoint> before = at(-1.0);
     const Result<TriangulatedPoint> after = at(1.0);
