@@ -152,8 +152,8 @@ def test_an_unknown_subcommand_is_named_with_those_there_are() -> None:
     refused = finished("measure", "--config", str(CONFIG))
     assert refused.returncode == 2
     assert refused.stderr == (
-        "tripointd: 'measure' is no subcommand: write one of run, check-config, cameras, expose, detect, replay, "
-        "version; `tripointd --help` explains them\n"
+        "tripointd: 'measure' is no subcommand: write one of run, check-config, cameras, expose, snapshot, detect, "
+        "replay, version; `tripointd --help` explains them\n"
     )
 
 
