@@ -187,9 +187,10 @@ TEST(AbuseTest, AFloodLeavesHalfOfAProcessorToTheMeasuring) {
   std::vector<std::jthread> floods;  // enough that the server always has something to do
   for (int i = 0; i < 4; ++i) floods.push_back(flood(served.server.port()));
   const TimePoint start = monotonic_now();
+  const Duration before = served.processor_time();
   std::this_thread::sleep_for(milliseconds(500));
-  const Duration worked = served.processor_time();
-  EXPECT_LT(worked, (monotonic_now() - start) / 2 + 2 * WorkShare::kMostSaved);
+  const Duration worked = served.processor_time() - before;
+  EXPECT_LT(worked, 6 * (monotonic_now() - start) / 10);  // without a bound it is three quarters and more
 }
 
 TEST(AbuseTest, OpeningAndLeavingConnectionsDoesNotWearTheServerOut) {
