@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "client.h"
+#include "serve/states.h"
 #include "served.h"
 
 namespace tripoint {
@@ -17,6 +20,22 @@ TEST(ModbusServerTest, AnswersWithTheTransactionAndUnitItWasAsked) {
   const Client client(served.server.port());
   EXPECT_THAT(client.ask(frame_of(0xABCD, {3, 0, 0, 0, 1}), 11),
               ElementsAre(0xAB, 0xCD, 0, 0, 0, 5, 255, 3, 2, 0x54, 0x50));
+}
+
+TEST(ModbusServerTest, APoseThatNobodyReplacesIsStaleOnceTheAnswerIsMadePastTheAgeLimit) {
+  std::atomic<TimePoint> now = kExposed + OutputLimits{}.age_limit;
+  Served served(any_port(), [&now] { return now.load(); });
+  served.publication.publish(unit_state(), kExposed);
+  const Client client(served.server.port());
+  const Bytes status_request = frame_of(1, {3, 0, 101, 0, 1});
+  const Bytes x_request = frame_of(2, {3, 0, 110, 0, 2});
+  constexpr unsigned kValidAndStale = 0x0014;  // bits 2 and 4
+  EXPECT_EQ(client.ask(status_request, 11).back() & kValidAndStale, 0x04U);
+  EXPECT_THAT(client.ask(x_request, 13), ElementsAre(0, 2, 0, 0, 0, 7, 255, 3, 4, 0xFF, 0xFF, 0xB7, 0x12));  // -18 670
+
+  now = now.load() + Duration{1};
+  EXPECT_EQ(client.ask(status_request, 11).back() & kValidAndStale, 0x10U);
+  EXPECT_THAT(client.ask(x_request, 13), ElementsAre(0, 2, 0, 0, 0, 7, 255, 3, 4, 0x80, 0, 0, 0));
 }
 
 TEST(ModbusServerTest, TellsHowManyClientsAreConnected) {

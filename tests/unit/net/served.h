@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "net/modbus_server.h"
 #include "serve/publication.h"
@@ -25,8 +26,8 @@ inline TimePoint monotonic_now() { return std::chrono::time_point_cast<Duration>
 
 class Served {
  public:
-  explicit Served(const ModbusSettings& settings = any_port())
-      : server(ModbusServer::open(settings, responder, monotonic_now).value()),
+  explicit Served(const ModbusSettings& settings = any_port(), Now now = monotonic_now)
+      : server(ModbusServer::open(settings, responder, std::move(now)).value()),
         thread_([this](const std::stop_token& stop) { server.run(stop); }) {}
 
   /// Waits until the counters say so, or gives up.

@@ -19,15 +19,21 @@ using Bytes = std::vector<std::uint8_t>;
 class ResponderTest : public testing::Test {
  protected:
   Bytes ask(const Bytes& request, bool may_command = true) {
-    const Pdu answer = responder_.answer(request, Asker{kExposed + milliseconds(12), may_command, 3, {}});
+    const Pdu answer = responder_.answer(request, Asker{now_, may_command, 3, {}});
     return Bytes(answer.begin(), answer.end());
   }
   Bytes read(std::uint8_t function, unsigned address, unsigned count) {
     return ask({function, high(address), low(address), high(count), low(count)});
   }
+  /// x, y and z as 0x80000000 each, in the order of words of the image or of the mirror.
+  static Bytes unknown_position(unsigned order) {
+    if (order == 0) return {3, 12, 0x80, 0, 0, 0, 0x80, 0, 0, 0, 0x80, 0, 0, 0};
+    return {3, 12, 0, 0, 0x80, 0, 0, 0, 0x80, 0, 0, 0, 0x80, 0};
+  }
   static std::uint8_t high(unsigned word) { return static_cast<std::uint8_t>(word >> 8U); }
   static std::uint8_t low(unsigned word) { return static_cast<std::uint8_t>(word & 0xFFU); }
 
+  TimePoint now_ = kExposed + milliseconds(12);
   Publication publication_{unit_state()};
   Responder responder_{publication_, DeviceIdentification{}};
 };
@@ -50,6 +56,24 @@ TEST_F(ResponderTest, TheMirrorHasTheLeastSignificantWordFirst) {
   EXPECT_THAT(read(3, 104, 4), ElementsAre(3, 8, 0x17, 0x97, 0x9C, 0xFF, 0x60, 0x2F, 0xF2, 0x00));
   EXPECT_THAT(read(4, 2104, 4), ElementsAre(4, 8, 0xF2, 0x00, 0x60, 0x2F, 0x9C, 0xFF, 0x17, 0x97));
   EXPECT_EQ(read(3, 2000, 1), read(3, 0, 1));
+}
+
+TEST_F(ResponderTest, OnePublicationIsValidUpToTheAgeLimitAndStaleOneNanosecondLater) {
+  constexpr unsigned kValidAndStale = 0x0014;  // bits 2 and 4
+  now_ = kExposed + OutputLimits{}.age_limit;
+  for (const unsigned order : {0U, 2000U}) {  // the mirror as well
+    const Bytes fresh = read(3, order + 101, 1);
+    EXPECT_EQ(fresh[3] & kValidAndStale, 0x04U) << order;
+    EXPECT_NE(read(3, order + 110, 6), unknown_position(order)) << order;
+  }
+  EXPECT_THAT(read(3, 110, 2), ElementsAre(3, 4, 0xFF, 0xFF, 0xB7, 0x12));  // -18 670 um
+
+  now_ += Duration{1};
+  for (const unsigned order : {0U, 2000U}) {
+    const Bytes stale = read(3, order + 101, 1);
+    EXPECT_EQ(stale[3] & kValidAndStale, 0x10U) << order;
+    EXPECT_EQ(read(3, order + 110, 6), unknown_position(order)) << order;
+  }
 }
 
 TEST_F(ResponderTest, OnlyWholeRangesAreReadable) {
