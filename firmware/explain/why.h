@@ -11,7 +11,7 @@ namespace tripoint {
 /// The name of the cause as people write it: "not red".
 std::string cause_in_words(DropCause cause);
 
-/// What decided: the measured value against its limit ("redness 0.31 < 0.50"), or in words where a gate measures
+/// What decided: the measured value against its limit ("redness 0.31 < 0.70"), or in words where a gate measures
 /// nothing; of a kept one what it measured.
 ///
 /// @param width_px  of the picture: the largest spot depends on it

@@ -23,7 +23,7 @@ struct LedDetectorSettings {
   double min_contrast_of_noise = 4.0;  ///< the same, in standard deviations of the background
   double max_crowding = 0.45;          ///< share of the surroundings that is bright too
   int min_red_step = 8;                ///< V of the peak above V of the surroundings
-  double min_redness = 0.5;            ///< dV/dY over the flank: a red LED has about 1.7, a warm reflection 0.2 to 0.5
+  double min_redness = 0.7;            ///< dV/dY over the flank: a red LED has about 1.7, a warm reflection 0.2 to 0.6
   double max_hue = 0.6;                ///< -dU/dV over the flank: rendered red LEDs have 0 to 0.5, orange 0.7 and more
   int min_over_surface = 45;   ///< S above what a red surface may show where white is as bright as in this picture;
                                ///< not asked for with `min_emission` below 0: then red surfaces are looked for

@@ -12,6 +12,7 @@ namespace tripoint {
 namespace {
 
 constexpr int kFewestPixels = 8;
+constexpr double kFlankOfNoise = 2.0;  // the flank begins where the pattern of the ground ends
 
 /// Counts values so that percentiles need no sorting; a second count by groups of bins makes them quick to find.
 template <std::size_t kBins>
@@ -103,7 +104,8 @@ int background_of(const SpotWindow& window, const SpotWindow::Part& part) {
 
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak) {
   const double contrast = peak - around.strength;
-  const auto low = static_cast<int>(std::ceil(around.strength + 0.12 * contrast));
+  const double above_ground = std::clamp(kFlankOfNoise * around.strength_noise, 0.12 * contrast, 0.4 * contrast);
+  const auto low = static_cast<int>(std::ceil(around.strength + above_ground));
   const auto high = static_cast<int>(std::floor(around.strength + 0.85 * contrast));
   int pixels = 0;
   int red = 0;

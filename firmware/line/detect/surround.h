@@ -32,7 +32,7 @@ Surround surround_of(const SpotWindow& window, const Area& area, int peak);
 /// 40th percentile of S along the border of a part, `SpotWindow::kOutside` when less than 8 pixels are in the picture.
 int background_of(const SpotWindow& window, const SpotWindow::Part& part);
 
-/// Redness dV/dY over the flank (12 to 85 % of the contrast).
+/// Redness dV/dY over the flank: 12 to 85 % of the contrast, and above the pattern of the ground.
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak);
 
 /// dY/dS over the area that `flood` holds.

@@ -40,12 +40,6 @@ const std::vector<KnownSpot> kRedLights{
     {"4.jpg", {1435.5, 1146.8}, "dot of a laser"},
 };
 
-/// No red lights, and kept nevertheless: a single picture cannot tell them, see docs/concepts/detection.md.
-const std::vector<KnownSpot> kMistaken{
-    {"RocketPanelStraight48in.jpg", {19.5, 41.4}, "red sign before a dark wall, in an overexposed picture"},
-    {"RocketPanelStraightDark96in.jpg", {173.5, 203.4}, "reddish reflection of a lamp in the dark"},
-};
-
 /// No spheres, and kept by the settings for passive spheres.
 const std::vector<KnownSpot> kMistakenForSpheres{
     {"test_image_multiple_07.png", {299.1, 141.3}, "stop sign: flat, and an octagon of 21 px is a circle"},
@@ -86,8 +80,7 @@ void expect_only_listed_in(const std::string& folder, int pictures_of_set) {
     ++pictures;
     const std::string name = entry.path().filename().string();
     for (const RawPixel& at : kept_in(entry.path(), detector)) {
-      EXPECT_TRUE(is_listed(kRedLights, name, at) || is_listed(kMistaken, name, at))
-          << name << ": a point at " << at.u_px << ", " << at.v_px;
+      EXPECT_TRUE(is_listed(kRedLights, name, at)) << name << ": a point at " << at.u_px << ", " << at.v_px;
     }
   }
   EXPECT_EQ(pictures, pictures_of_set) << path;

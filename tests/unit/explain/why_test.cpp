@@ -25,7 +25,7 @@ TEST(WhyTest, EveryCauseHasWordsAndAReason) {
 TEST(WhyTest, ACauseIsWrittenAsPeopleWriteIt) { EXPECT_EQ(cause_in_words(DropCause::kNotRed), "not red"); }
 
 TEST(WhyTest, AMeasuredValueStandsAgainstItsLimit) {
-  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.31F)), "redness 0.31 < 0.50");
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.31F)), "redness 0.31 < 0.70");
   EXPECT_EQ(why_of(with(DropCause::kElongated, &Candidate::aspect, 3.0F)), "aspect 3.00 > 1.90");
   EXPECT_EQ(why_of(with(DropCause::kDim, &Candidate::peak, 612.0F)), "peak 612 < 780");
 }
@@ -43,12 +43,12 @@ TEST(WhyTest, TheLimitIsThatOfTheSettings) {
 }
 
 TEST(WhyTest, AValueBesideItsLimitDoesNotReadAsTheLimit) {
-  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.4982F)), "redness 0.498 < 0.50");
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.6982F)), "redness 0.698 < 0.70");
 }
 
 TEST(WhyTest, NothingIsWrittenAsLessThanZero) {
-  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.001F)), "redness 0.00 < 0.50");
-  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.01F)), "redness -0.01 < 0.50");
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.001F)), "redness 0.00 < 0.70");
+  EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, -0.01F)), "redness -0.01 < 0.70");
 }
 
 TEST(WhyTest, TheLimitOfARedSurfaceIsThatOfThePicture) {
