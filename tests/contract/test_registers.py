@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 import tomllib
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import check_registers
@@ -90,6 +92,15 @@ def test_a_page_that_is_not_up_to_date_is_refused(tmp_path: Any) -> None:
         check_registers.PAGE.read_text(encoding="utf-8").replace("heartbeat", "heart beat"), encoding="utf-8"
     )
     assert "run `make docs`" in check_registers.verdict(check_registers.MAP, old)[0]
+
+
+def test_the_check_fails_on_an_old_page_and_passes_the_tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    old = tmp_path / "registers.md"
+    old.write_text("# Registers\n", encoding="utf-8")
+    monkeypatch.setattr(sys, "argv", ["check_registers.py", str(check_registers.MAP), str(old)])
+    assert check_registers.main() == 1
+    monkeypatch.setattr(sys, "argv", ["check_registers.py"])
+    assert check_registers.main() == 0
 
 
 def test_a_missing_page_is_refused(tmp_path: Any) -> None:

@@ -22,10 +22,16 @@ SUFFIXES = {".h", ".cpp", ".py"}
 def violations(folders: Iterable[Path]) -> list[str]:
     found: list[str] = []
     for folder in folders:
-        for file in sorted(folder.rglob("*")):
-            if file.suffix in SUFFIXES and "build" not in file.parts and ".venv" not in file.parts:
-                found += _of_file(file)
+        files = [file for file in sorted(folder.rglob("*")) if file.suffix in SUFFIXES and _is_ours(file)]
+        if not files:
+            found.append(f"{folder}: no source file here to check")
+        for file in files:
+            found += _of_file(file)
     return found
+
+
+def _is_ours(file: Path) -> bool:
+    return "build" not in file.parts and ".venv" not in file.parts
 
 
 def _of_file(file: Path) -> list[str]:
@@ -46,6 +52,9 @@ def _of_file(file: Path) -> list[str]:
 
 
 def main() -> int:
+    if len(sys.argv) < 2:
+        print("usage: check_sizes.py FOLDER...")
+        return 2
     found = violations(Path(argument) for argument in sys.argv[1:])
     print("\n".join(found) if found else "every file and function is within its limit")
     return 1 if found else 0
