@@ -65,7 +65,7 @@ hardware-test: build ## real V4L2 drivers in a virtual machine
 	@deploy/dev/install hardware
 	@cmake --build build/release -j $(JOBS) --target uvc_camera
 	@ln -sfn ../release/bin/uvc_camera build/bin/uvc_camera
-	@tests/hardware/run
+	@tests/run hardware
 
 .PHONY: test-trixie
 test-trixie: ## build and test the C++ in a Debian 13 chroot
