@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "blinking_observations.h"
 #include "counted_allocations.h"
 #include "line/line.h"
 #include "synthetic_cameras.h"
@@ -21,7 +22,8 @@ LineModel heavy_model() {
   return model;
 }
 
-long allocations_of_a_run(const LineModel& model, std::vector<Event> events) {
+long allocations_of_a_run(
+    const LineModel& model, std::vector<Event> events, void (*on_verdict)() = [] {}) {
   events.push_back(CameraLost{Side::kLeft, TimePoint{duration_from_seconds(3.5)}});
   events.push_back(CameraBack{Side::kLeft, TimePoint{duration_from_seconds(3.6)}});
   events.push_back(Tick{TimePoint{duration_from_seconds(5.0)}});
@@ -29,7 +31,10 @@ long allocations_of_a_run(const LineModel& model, std::vector<Event> events) {
   std::size_t found = 0;
   const long count = allocations_in([&] {
     for (const Event& event : events) {
-      if (line.step(event)) ++found;
+      if (line.step(event)) {
+        ++found;
+        on_verdict();
+      }
       if (line.forecast().number > 1'000'000) std::abort();
     }
   });
@@ -56,6 +61,13 @@ TEST_F(AllocationTest, TheCounterSeesPlantedAllocations) {
   EXPECT_GE(allocations_in([&] { const Eigen::VectorXd planted = Eigen::VectorXd::Ones(size); }), 1);
 }
 
+TEST_F(AllocationTest, ARunSeesAnAllocationPlantedInEachVerdict) {
+  const LineModel model = heavy_model();
+  static volatile std::size_t size = 5;
+  const auto plant = [] { const std::vector<double> planted(size, 1.0); };
+  EXPECT_GT(allocations_of_a_run(model, testing::shot(model, {testing::circle(100.0)}, two_seconds()), plant), 50);
+}
+
 TEST_F(AllocationTest, OnePointAllocatesNothing) {
   const LineModel model = heavy_model();
   EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, {testing::circle(100.0)}, two_seconds())), 0);
@@ -65,6 +77,13 @@ TEST_F(AllocationTest, ThePapersMethodAllocatesNothing) {
   LineModel model = heavy_model();
   model.method = Method::kPaper;
   EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, {testing::circle(100.0)}, two_seconds())), 0);
+}
+
+TEST_F(AllocationTest, SwitchedLedsAllocateNothing) {
+  LineModel model = testing::model_of(2);
+  model.covariance.diagonal().setConstant(1e-4);
+  const std::vector<testing::Path> leds{testing::circle(100.0), at_rest({40.0, -60.0, 400.0})};
+  EXPECT_EQ(allocations_of_a_run(model, testing::blinking(leds, two_seconds())), 0);
 }
 
 TEST_F(AllocationTest, TwelvePointsAndErrorsAllocateNothing) {
