@@ -76,6 +76,11 @@ test-trixie: ## build and test the C++ in a Debian 13 chroot
 docs: setup ## make the generated reference pages anew
 	@$(RUN)/python cmake/registers.py docs
 
+.PHONY: hook
+hook: setup ## from now on run make check before each commit (pre-commit)
+	@deploy/dev/install hook
+	@pre-commit install
+
 .PHONY: format
 format: setup ## format everything
 	@deploy/dev/install test
