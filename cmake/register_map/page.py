@@ -61,8 +61,9 @@ An address has no fixed share. When all connections are taken, a newcomer from t
 any other takes the place of that address's longest silent connection; one that never asked counts as silent for longer
 than any that did. An address that is not in `modbus.allowed_clients` (empty: everyone) is always refused; where
 strangers can reach the unit, nothing else keeps many addresses that ask from taking all connections. Each of these sets
-warning bit 9 for 10 s. Keep one connection and poll it, rather than one connection for each request; when it was
-closed, connect anew.
+warning bit 9 for 10 s. The log counts them, and connections that were closed for one of the limits above, in one line
+each 10 s at most. Keep one connection and poll it, rather than one connection for each request; when it was closed,
+connect anew.
 """
 
 

@@ -118,7 +118,9 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   Result<PerSide<OpenCamera>> cameras =
       camera_supply(config, setup->target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
   if (!cameras) return tl::make_unexpected(cameras.error());
-  Result<ModbusServer> server = ModbusServer::open(*settings, unit.responder, [&unit] { return unit.clock.now(); });
+  Result<ModbusServer> server = ModbusServer::open(
+      *settings, unit.responder, [&unit] { return unit.clock.now(); },
+      [](std::string_view what) { spdlog::warn("{}", what); });
   if (!server) return tl::make_unexpected(server.error());
   spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(),
                setup_text(setup->constants.identity.setup));

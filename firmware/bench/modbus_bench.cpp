@@ -85,7 +85,7 @@ class Unit {
     ModbusSettings settings;
     settings.port = 0;
     settings.request_pace = Duration{0};
-    return ModbusServer::open(settings, responder_, monotonic_now).value();
+    return ModbusServer::open(settings, responder_, monotonic_now, [](std::string_view) {}).value();
   }
 
   TimePoint epoch_;

@@ -14,6 +14,7 @@
 
 #include "net/admission.h"
 #include "net/asio_address.h"
+#include "net/client_watch.h"
 #include "net/connection.h"
 #include "net/work_share.h"
 
@@ -61,10 +62,11 @@ Duration sweep_period(const ModbusSettings& settings) {
 
 class ModbusServer::Impl {
  public:
-  Impl(ModbusSettings settings, Responder& responder, Now now)
+  Impl(ModbusSettings settings, Responder& responder, Now now, Say say)
       : settings_(std::move(settings)),
         responder_(responder),
         now_(std::move(now)),
+        say_(std::move(say)),
         host_{now_, [this](auto request, const Connection& client) { return answer(request, client); },
               [this](const Connection& client, bool broken) { closed(client, broken); }} {}
 
@@ -176,6 +178,7 @@ class ModbusServer::Impl {
       ++counters_.timed_out;
       connection->close();
     }
+    if (const auto news = watch_.news(counters(), now)) say_(*news);
     sweep_.expires_after(sweep_period(settings_));
     sweep_.async_wait([this](const error_code& aborted) {
       if (!aborted) sweep();
@@ -185,8 +188,10 @@ class ModbusServer::Impl {
   ModbusSettings settings_;
   Responder& responder_;
   Now now_;
+  Say say_;
   ConnectionHost host_;
   AtomicCounters counters_;
+  ClientWatch watch_;
   std::optional<TimePoint> refused_at_;
   std::uint16_t port_ = 0;
   boost::asio::io_context io_{1};
@@ -196,9 +201,9 @@ class ModbusServer::Impl {
   std::vector<std::shared_ptr<Connection>> connections_;  // shared with the operation that each waits for
 };
 
-Result<ModbusServer> ModbusServer::open(const ModbusSettings& settings, Responder& responder, Now now) {
+Result<ModbusServer> ModbusServer::open(const ModbusSettings& settings, Responder& responder, Now now, Say say) {
   try {
-    auto impl = std::make_unique<Impl>(settings, responder, std::move(now));
+    auto impl = std::make_unique<Impl>(settings, responder, std::move(now), std::move(say));
     if (const error_code error = impl->listen()) return tl::make_unexpected(open_error(settings, error));
     return ModbusServer(std::move(impl));
   } catch (const boost::system::system_error& error) {

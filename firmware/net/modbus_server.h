@@ -8,9 +8,11 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "contract/registers.h"
+#include "net/modbus_counters.h"
 #include "net/network.h"
 #include "serve/responder.h"
 #include "values/result.h"
@@ -33,19 +35,8 @@ struct ModbusSettings {
       registers::server::kPaceUs);  ///< sustained time per request of one client; faster ones wait
 };
 
-/// Since the server was opened.
-struct ModbusCounters {
-  std::uint64_t accepted = 0;
-  std::uint64_t refused = 0;    ///< full, and the address held most; or not on the allow-list
-  std::uint64_t displaced = 0;  ///< gave way to a newcomer
-  std::uint64_t timed_out = 0;  ///< past one of the limits
-  std::uint64_t broken = 0;     ///< sent something that is not Modbus TCP
-  std::uint64_t requests = 0;
-  std::uint64_t internal = 0;   ///< failures of the system while serving (no memory, no descriptor)
-  std::uint16_t connected = 0;  ///< now
-};
-
 using Now = std::function<TimePoint()>;
+using Say = std::function<void(std::string_view)>;  ///< for the log, at most once in ClientWatch::kPause
 
 class ModbusServer {
  public:
@@ -53,7 +44,7 @@ class ModbusServer {
   ///
   /// @return kAddressInUse when the port is taken; kOutOfRange when the address is not one of this machine or the port
   ///         is not permitted; kDeviceFault for any other refusal of the system
-  static Result<ModbusServer> open(const ModbusSettings& settings, Responder& responder, Now now);
+  static Result<ModbusServer> open(const ModbusSettings& settings, Responder& responder, Now now, Say say);
 
   ModbusServer(ModbusServer&&) noexcept;
   ModbusServer& operator=(ModbusServer&&) noexcept;

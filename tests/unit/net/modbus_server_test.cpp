@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "client.h"
 #include "serve/states.h"
@@ -50,7 +54,7 @@ TEST(ModbusServerTest, APortInUseIsNamed) {
   Served served;
   ModbusSettings settings = any_port();
   settings.port = served.server.port();
-  const auto second = ModbusServer::open(settings, served.responder, monotonic_now);
+  const auto second = ModbusServer::open(settings, served.responder, monotonic_now, quiet);
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().code, ErrorCode::kAddressInUse);
   EXPECT_THAT(second.error().message, testing::HasSubstr(std::to_string(settings.port)));
@@ -61,7 +65,7 @@ TEST(ModbusServerTest, AnAddressOfAnotherMachineIsRefused) {
   ModbusSettings settings = any_port();
   for (const char* address : {"192.0.2.1", "nonsense"}) {
     settings.address = address;
-    const auto refused = ModbusServer::open(settings, served.responder, monotonic_now);
+    const auto refused = ModbusServer::open(settings, served.responder, monotonic_now, quiet);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange) << address;
   }
@@ -122,6 +126,26 @@ TEST(ModbusServerTest, ARefusalIsAWarningForEveryOtherClient) {
   EXPECT_EQ(client.ask(frame_of(1, {3, 0, 35, 0, 1}), 11)[9], 0);
   EXPECT_TRUE(Client(served.server.port()).is_closed());
   EXPECT_EQ(client.ask(frame_of(1, {3, 0, 35, 0, 1}), 11)[9], 2);  // bit 9
+}
+
+TEST(ModbusServerTest, ARefusalIsSaidInTheLog) {
+  ModbusSettings settings = any_port();
+  settings.most_connections = 1;
+  std::mutex mutex;
+  std::vector<std::string> said;
+  Served served(settings, monotonic_now, [&](std::string_view what) {
+    const std::scoped_lock lock(mutex);
+    said.emplace_back(what);
+  });
+  const auto lines = [&] {
+    const std::scoped_lock lock(mutex);
+    return said;
+  };
+  const Client client(served.server.port());
+  ASSERT_TRUE(client.is_served());
+  EXPECT_TRUE(Client(served.server.port()).is_closed());
+  ASSERT_TRUE(served.eventually([&](const ModbusCounters&) { return !lines().empty(); }));
+  EXPECT_THAT(lines().front(), testing::HasSubstr("1 connected; since the start 1 refused"));
 }
 
 TEST(ModbusServerTest, WhenFullAnotherAddressTakesThePlaceOfTheLongestSilent) {

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -24,10 +25,12 @@ inline ModbusSettings any_port() {
 
 inline TimePoint monotonic_now() { return std::chrono::time_point_cast<Duration>(std::chrono::steady_clock::now()); }
 
+inline void quiet(std::string_view /*what*/) {}
+
 class Served {
  public:
-  explicit Served(const ModbusSettings& settings = any_port(), Now now = monotonic_now)
-      : server(ModbusServer::open(settings, responder, std::move(now)).value()),
+  explicit Served(const ModbusSettings& settings = any_port(), Now now = monotonic_now, Say say = quiet)
+      : server(ModbusServer::open(settings, responder, std::move(now), std::move(say)).value()),
         thread_([this](const std::stop_token& stop) { server.run(stop); }) {}
 
   /// Waits until the counters say so, or gives up.
