@@ -111,8 +111,11 @@ Result<FoundCamera> camera_that_fits(std::span<const FoundCamera> found, const C
                [&](const FoundCamera& camera) { return fits(camera, wanted); });
   if (fitting.size() == 1) return fitting.front();
   if (fitting.empty()) {
-    return failure(ErrorCode::kDeviceMissing,
-                   fmt::format("{}: no camera with {}; found: {}", what, description(wanted), descriptions(found)));
+    return failure(
+        ErrorCode::kDeviceMissing,
+        fmt::format("{}: no camera with {}: check its cable, and its port and serial by `tripointd cameras`; "
+                    "found: {}",
+                    what, description(wanted), descriptions(found)));
   }
   return failure(ErrorCode::kDeviceMissing, fmt::format("{}: {} cameras with {}: {}; name the port", what,
                                                         fitting.size(), description(wanted), descriptions(fitting)));

@@ -1,4 +1,4 @@
-"""A camera that stays away for a while: no pose, the cause in the registers, and measuring resumes by itself."""
+"""A camera that is missing: no pose, the cause in the registers and in the log, and measuring resumes by itself."""
 
 import csv
 import subprocess
@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from system.daemon import daemon, renderer
+from system.daemon import CONFIG, STOP_S, daemon, renderer
 
 from host_tool.appliance.address import address_from
 from host_tool.appliance.unit import Unit, open_unit
@@ -61,3 +61,31 @@ def test_a_lost_camera_takes_the_pose_with_it_and_brings_it_back(tmp_path: Path)
 
         wait_for(unit, back)
     assert "camera right" in (tmp_path / "log").read_text(encoding="utf-8")
+
+
+def config_of_absent_cameras(folder: Path) -> Path:
+    serials = 'left.serial = "LEFT-001"\nright.serial = "RIGHT-001"'
+    text = CONFIG.read_text(encoding="utf-8").replace('source = "simulation"', f'source = "v4l2"\n{serials}')
+    config = folder / "absent.toml"
+    (folder / "calibration.toml").symlink_to(CONFIG.parent / "calibration.toml")
+    config.write_text(text, encoding="utf-8")
+    return config
+
+
+def test_without_its_cameras_a_unit_stays_says_which_are_missing_and_what_to_do(tmp_path: Path) -> None:
+    def both_lost(answer: Answer) -> bool:
+        faults = {fault.name for fault in faults_in(answer.state.faults)}
+        return {"left_camera_lost", "right_camera_lost"} <= faults
+
+    with daemon(tmp_path / "log", config=config_of_absent_cameras(tmp_path)) as started:
+        with open_unit(address_from(started.device), 2.0) as unit:
+            answer = wait_for(unit, both_lost)
+            assert answer.state.heartbeat == 0
+            assert answer.pose.position_mm is None
+        assert started.process.poll() is None
+        started.process.terminate()
+        assert started.process.wait(timeout=10.0 * STOP_S) == 0
+    log = (tmp_path / "log").read_text(encoding="utf-8")
+    for side, serial in (("left", "LEFT-001"), ("right", "RIGHT-001")):
+        assert f"camera {side}: no camera with serial {serial}: check its cable" in log
+    assert "`tripointd cameras`" in log

@@ -118,8 +118,9 @@ TEST_F(CameraFinderTest, PortAndSerialMustBothFit) {
   const auto camera = camera_that_fits(found(), {.port = "1-1", .serial = "B"}, "camera left");
   ASSERT_FALSE(camera);
   EXPECT_EQ(camera.error().code, ErrorCode::kDeviceMissing);
-  EXPECT_THAT(camera.error().message, AllOf(HasSubstr("camera left: no camera with port 1-1, serial B"),
-                                            HasSubstr("/dev/video0 (port 1-1, serial A, Test camera)")));
+  EXPECT_THAT(camera.error().message,
+              AllOf(HasSubstr("camera left: no camera with port 1-1, serial B"), HasSubstr("check its cable"),
+                    HasSubstr("`tripointd cameras`"), HasSubstr("/dev/video0 (port 1-1, serial A, Test camera)")));
 }
 
 TEST_F(CameraFinderTest, TwoThatFitAreNeverGuessedBetween) {
