@@ -44,7 +44,7 @@ TEST_F(JpegStressTest, LumaOfTheWebcamFrameIsOpenCvs) {
   }
   EXPECT_LE(worst, 1);
 #else
-  GTEST_SKIP() << "OpenCV's imgcodecs was not found when building";
+  GTEST_SKIP() << "OpenCV's imgcodecs was not found when building: see deploy/dev/packages.txt";
 #endif
 }
 
