@@ -70,12 +70,16 @@ class Daemon:
 
 
 @contextmanager
-def daemon(log: Path, *settings: str, config: Path = CONFIG) -> Iterator[Daemon]:
-    """Runs with `settings` (table.key=value) over the demo's configuration; what it says goes to `log`."""
+def daemon(log: Path, *settings: str, config: Path = CONFIG, through: tuple[str, ...] = ()) -> Iterator[Daemon]:
+    """Runs with `settings` (table.key=value) over the demo's configuration; what it says goes to `log`.
+
+    `through` is a command that becomes the one after it, such as prlimit.
+    """
     port = free_port()
     chosen = [argument for setting in (f"modbus.port={port}", *settings) for argument in ("--set", setting)]
     with log.open("wb") as output:
-        process = subprocess.Popen([binary(), "run", "--config", str(config), *chosen], stderr=output, stdout=output)
+        command = [*through, binary(), "run", "--config", str(config), *chosen]
+        process = subprocess.Popen(command, stderr=output, stdout=output)
         try:
             wait_until_answering(Address("127.0.0.1", port), TIMEOUT_S, START_S, MonotonicClock())
             yield Daemon(process, port)

@@ -10,9 +10,10 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from system.daemon import CONFIG, STOP_S, TIMEOUT_S, binary, daemon, finished, renderer
+from system.daemon import CONFIG, START_S, STOP_S, TIMEOUT_S, Daemon, binary, daemon, finished, renderer, tool
 
 from host_tool.appliance.modbus import ModbusLink, Table
+from host_tool.appliance.unit import open_unit
 from host_tool.errors import DeviceError
 
 STATE = 36
@@ -31,6 +32,11 @@ def broken(tmp_path: Path) -> Path:
     return copy
 
 
+def real_time_threads(running: Daemon) -> int:
+    threads = [int(task.name) for task in Path(f"/proc/{running.process.pid}/task").iterdir()]
+    return sum(os.sched_getscheduler(each) == os.SCHED_FIFO for each in threads)
+
+
 def test_the_threads_that_are_waited_for_have_real_time_priority(tmp_path: Path) -> None:
     try:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
@@ -38,11 +44,26 @@ def test_the_threads_that_are_waited_for_have_real_time_priority(tmp_path: Path)
     except PermissionError:
         pytest.skip("real-time priority is not permitted here")
     with daemon(tmp_path / "log") as unit:
-        threads = [int(task.name) for task in Path(f"/proc/{unit.process.pid}/task").iterdir()]
-        urgent = [
-            os.sched_getparam(each).sched_priority for each in threads if os.sched_getscheduler(each) == os.SCHED_FIFO
-        ]
-    assert len(urgent) == 2, "measuring and Modbus, and no camera: detection may take as long as a picture"
+        urgent = real_time_threads(unit)
+    assert urgent == 2, "measuring and Modbus, and no camera: detection may take as long as a picture"
+    assert "real-time priority" not in (tmp_path / "log").read_text(encoding="utf-8")
+
+
+def test_where_real_time_priority_is_not_permitted_the_unit_measures_and_the_log_says_what_to_grant(
+    tmp_path: Path,
+) -> None:
+    deprived: tuple[str, ...] = (tool("prlimit"), "--rtprio=0")
+    if os.geteuid() == 0:  # who may do everything unless it is taken away
+        deprived += (tool("setpriv"), "--bounding-set=-sys_nice", "--inh-caps=-sys_nice")
+    with daemon(tmp_path / "log", through=deprived) as running, open_unit(running.address, TIMEOUT_S) as unit:
+        deadline_s = time.monotonic() + START_S
+        while unit.read_pose().pose.position_mm is None:
+            assert time.monotonic() < deadline_s
+        assert real_time_threads(running) == 0
+    log = (tmp_path / "log").read_text(encoding="utf-8")
+    for thread in ("modbus", "measuring"):
+        assert f"{thread}: no real-time priority" in log
+    assert "grant LimitRTPRIO or CAP_SYS_NICE" in log
 
 
 @pytest.mark.parametrize("processor", ["qemu64", "Nehalem"])
