@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from system.daemon import daemon, finished
+from system.following import assert_follows
 
 from host_tool.appliance.address import address_from
 from host_tool.appliance.unit import Unit, open_unit
@@ -51,13 +52,7 @@ def said(folder: Path, text: str) -> bool:
 def test_a_modulated_led_is_measured_beside_red_lamps(tmp_path: Path) -> None:
     with unit_with(tmp_path, *MODULATED) as unit:
         *_, last = watched(unit)
-    figures = last.summary
-    assert figures.valid_share is not None
-    assert figures.valid_share >= 0.9
-    assert figures.inside_share is not None
-    assert figures.inside_share >= 0.95
-    assert figures.rms_mm is not None
-    assert figures.rms_mm < 1.0  # lamps are more than 50 mm away
+    assert_follows(last.summary, valid_share=0.9, inside_share=0.95)  # lamps are more than 50 mm away
 
 
 def test_without_modulation_the_same_scene_gives_no_pose(tmp_path: Path) -> None:
