@@ -36,6 +36,7 @@ Result<Target> points_of(const TargetFile& file) {
   for (const TargetFilePoint& point : file.points) {
     target.points.push_back({point.id, point.position_mm, point.uncertainty_mm});
   }
+  if (file.facing) target.facing = *file.facing;
   return target;
 }
 

@@ -9,6 +9,7 @@
 #include "line/align/tracks.h"
 #include "line/measurement.h"
 #include "line/model.h"
+#include "line/monitor/confirmation.h"
 #include "line/monitor/monitor.h"
 #include "line/observation.h"
 #include "values/forecast.h"
@@ -34,6 +35,7 @@ class Line {
   Tracks tracks_;
   Clocks clocks_;
   Patience patience_;
+  Confirmation confirmation_;
   Monitor monitor_;
 };
 

@@ -22,6 +22,7 @@ struct TargetPoint {
 };
 struct Target {
   FixedVector<TargetPoint, kMaxTargetPoints> points;
+  Vec3 facing = Vec3::UnitZ();  ///< unit length, in the target's frame: where its LEDs shine
 };
 
 /// In the output frame; a target outside is a fault, not a measurement. Absent in `replay` without --config.

@@ -30,6 +30,11 @@ class FixedVector {
     TRIPOINT_ASSERT(!full());
     values_[size_++] = value;
   }
+  /// The vector must not be empty.
+  constexpr void pop_back() {
+    TRIPOINT_ASSERT(!empty());
+    --size_;
+  }
   constexpr void clear() { size_ = 0; }
   constexpr void truncate(std::size_t size) {
     TRIPOINT_ASSERT(size <= size_);

@@ -29,8 +29,8 @@ Faults faults_of_fit(const Fit& fit, const LineModel& model) {
 bool has_positive_diagonal(const Matrix3& covariance) { return (covariance.diagonal().array() > 0.0).all(); }
 
 bool is_whole(const TargetPose& pose) {
-  return pose.position_in_output_mm.allFinite() && pose.noise.allFinite() && pose.shared.allFinite() &&
-         has_positive_diagonal(pose.noise.topLeftCorner<3, 3>());
+  return pose.position_in_output_mm.allFinite() && pose.output_from_target.value_or(Matrix3::Identity()).allFinite() &&
+         pose.noise.allFinite() && pose.shared.allFinite() && has_positive_diagonal(pose.noise.topLeftCorner<3, 3>());
 }
 
 bool is_whole(const MeasuredPoint& point) {

@@ -83,7 +83,7 @@ std::optional<EpipolarGate> epipolar_gate(const LineModel& model, const PerSide<
     variance_px2 += gradient->dot(model.covariance.lazyProduct(*gradient));
   }
   const double sigma_px = std::sqrt(variance_px2);
-  return EpipolarGate{error->distance_px, sigma_px,
+  return EpipolarGate{error->distance_px, error->variance_px2, sigma_px,
                       std::abs(error->distance_px) <= model.limits.epipolar_sigmas * sigma_px};
 }
 

@@ -20,7 +20,8 @@ std::optional<RigParameters> epipolar_calibration_gradient(const StereoCalibrati
 
 struct EpipolarGate {
   double distance_px = 0.0;
-  double sigma_px = 0.0;  ///< from the image points and the calibration
+  double noise_px2 = 0.0;  ///< variance, from the image points alone
+  double sigma_px = 0.0;   ///< standard deviation, from the image points and the calibration
   bool passed = false;
 };
 

@@ -4,25 +4,25 @@
 
 #include "geometry/paper.h"
 #include "geometry/triangulation.h"
+#include "line/pose/body_pose.h"
 #include "line/pose/paper_part.h"
 #include "line/pose/timing_part.h"
 
 namespace tripoint {
 namespace {
 
-/// One pair in the reference frame.
-struct Located {
-  TriangulatedPoint point;
-  Matrix3 shared_mm2 = Matrix3::Zero();
-  Matrix3 timing_mm2 = Matrix3::Zero();
-  std::optional<double> uncorrected_cost_mm;  // absent while the speed is unknown
-};
-
 PerSide<MeasuredPixel> pixels_of(const Pair& pair) {
   const auto whole = [](const AlignedPoint& point) {
     return MeasuredPixel{point.seen.at, point.seen.covariance_px2 + point.timing_px2};
   };
   return {whole(pair.points.left), whole(pair.points.right)};
+}
+
+TargetPoint point_of_target(int id, const Target& target) {
+  for (const TargetPoint& point : target.points) {
+    if (point.id == id) return point;
+  }
+  return {.id = id};
 }
 
 /// How the place follows the pixels and the calibration, by the model's method.
@@ -44,37 +44,45 @@ Slopes slopes(const TriangulatedPoint& place, const PerSide<MeasuredPixel>& pixe
   return slopes;
 }
 
-Result<Located> located(const Pair& pair, const Aligned& seen, const LineModel& model) {
+Result<LocatedPoint> located(const Pair& pair, const Aligned& seen, const LineModel& model) {
   const PerSide<MeasuredPixel> pixels = pixels_of(pair);
   const Result<TriangulatedPoint> place = model.method == Method::kPaper
                                               ? triangulated_by_paper(model.rig, pixels, model.limits.min_angle_rad)
                                               : triangulated(model.rig, pixels, model.limits.min_angle_rad);
   if (!place) return tl::make_unexpected(place.error());
   const Slopes slope = slopes(*place, pixels, model);
-  const Eigen::Matrix<double, 3, 24> spread = slope.by_calibration.lazyProduct(model.covariance);
-  Located at{*place, spread.lazyProduct(slope.by_calibration.transpose()), Matrix3::Zero(), std::nullopt};
+  LocatedPoint located;
+  located.of = point_of_target(pair.id, model.target);
+  located.pixels = pixels;
+  located.place = *place;
+  located.place_by_calibration = slope.by_calibration;
   for (const Side side : kBothSides) {
     const AlignedPoint& image = pair.points[side];
-    const Matrix32& gain = slope.by_pixel[side];
-    at.timing_mm2 += gain * image.timing_px2 * gain.transpose();
+    located.moved_by_clocks_mm.middleCols<2>(side == Side::kLeft ? 0 : 2) =
+        slope.by_pixel[side] * timing_root_px(image.timing_px2, image.velocity_px_per_s);
     if (side == Side::kRight && image.velocity_px_per_s) {
-      at.uncorrected_cost_mm = (gain * *image.velocity_px_per_s * seen.skew_s).norm();
+      located.moved_by_skew_mm = slope.by_pixel[side] * *image.velocity_px_per_s * seen.skew_s;
     }
   }
-  return at;
+  return located;
+}
+
+Matrix3 shared_mm2(const LocatedPoint& at, const LineModel& model) {
+  const Eigen::Matrix<double, 3, 24> spread = at.place_by_calibration.lazyProduct(model.covariance);
+  return spread.lazyProduct(at.place_by_calibration.transpose());
 }
 
 double residual_square_px2(const TriangulatedPoint& point) {
   return (point.residual_px.left.squaredNorm() + point.residual_px.right.squaredNorm()) / 2.0;
 }
 
-MeasuredPoint measured_point(const Pair& pair, const Located& at, const LineModel& model) {
+MeasuredPoint measured_point(const Pair& pair, const LocatedPoint& at, const LineModel& model) {
   const Matrix3 rotation = model.output_from_rig.linear();
   MeasuredPoint point;
   point.id = pair.id;
-  point.in_output_mm = model.output_from_rig * at.point.in_rig_mm;
-  point.covariance_mm2 = rotation * (at.point.covariance_mm2 + at.shared_mm2) * rotation.transpose();
-  point.residual_px = std::sqrt(residual_square_px2(at.point));
+  point.in_output_mm = model.output_from_rig * at.place.in_rig_mm;
+  point.covariance_mm2 = rotation * (at.place.covariance_mm2 + shared_mm2(at, model)) * rotation.transpose();
+  point.residual_px = std::sqrt(residual_square_px2(at.place));
   point.at = {pair.points.left.seen.at, pair.points.right.seen.at};
   point.peak_luma = {pair.points.left.seen.peak, pair.points.right.seen.peak};
   point.saturated = pair.points.left.seen.saturated || pair.points.right.seen.saturated;
@@ -82,34 +90,52 @@ MeasuredPoint measured_point(const Pair& pair, const Located& at, const LineMode
   return point;
 }
 
-TargetPose position_only(const Located& at, const LineModel& model) {
+/// Of a target that is a single point.
+BodyPose position_only(const LocatedPoint& at, const LineModel& model) {
   const Matrix3 rotation = model.output_from_rig.linear();
-  TargetPose pose;
-  pose.position_in_output_mm = model.output_from_rig * at.point.in_rig_mm;
-  pose.noise.topLeftCorner<3, 3>() = rotation * at.point.covariance_mm2 * rotation.transpose();
-  pose.shared.topLeftCorner<3, 3>() = rotation * at.shared_mm2 * rotation.transpose();
+  BodyPose pose;
+  pose.in_output.position_in_output_mm = model.output_from_rig * at.place.in_rig_mm;
+  pose.in_output.noise.topLeftCorner<3, 3>() = rotation * at.place.covariance_mm2 * rotation.transpose();
+  pose.in_output.shared.topLeftCorner<3, 3>() = rotation * shared_mm2(at, model) * rotation.transpose();
+  pose.timing_sigma_mm = at.moved_by_clocks_mm.norm();
+  if (at.moved_by_skew_mm) pose.uncorrected_cost_mm = at.moved_by_skew_mm->norm();
   return pose;
+}
+
+using LocatedPoints = FixedVector<LocatedPoint, kMaxTargetPoints>;
+
+/// Nothing unless all points of the target were identified.
+Result<std::optional<BodyPose>> body_pose(const LocatedPoints& identified, const LineModel& model) {
+  if (identified.empty() || identified.size() != model.target.points.size()) return std::optional<BodyPose>{};
+  if (identified.size() == 1) return std::optional<BodyPose>{position_only(identified[0], model)};
+  const Result<BodyPose> pose = pose_of_body({identified.begin(), identified.size()}, model);
+  if (!pose) return tl::make_unexpected(pose.error());
+  return std::optional<BodyPose>{*pose};
 }
 
 }  // namespace
 
 Fit pose_of_target(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
   Fit fit;
+  LocatedPoints identified;
   double squares_px2 = 0.0;
   for (const Pair& pair : pairs.pairs) {
-    const Result<Located> at = located(pair, seen, model);
+    const Result<LocatedPoint> at = located(pair, seen, model);
     if (!at) {
       fit.faults.insert(Fault::kGeometryGate);
       continue;
     }
-    squares_px2 += residual_square_px2(at->point);
+    squares_px2 += residual_square_px2(at->place);
     fit.points.push_back(measured_point(pair, *at, model));
-    if (pair.id == 0 || model.target.points.size() > 1) continue;
-    fit.pose = position_only(*at, model);
-    fit.timing_sigma_mm = std::sqrt(at->timing_mm2.trace());
-    fit.uncorrected_cost_mm = at->uncorrected_cost_mm;
+    if (pair.id != 0) identified.push_back(*at);
   }
   if (!fit.points.empty()) fit.residual_rms_px = std::sqrt(squares_px2 / static_cast<double>(fit.points.size()));
+  const Result<std::optional<BodyPose>> pose = body_pose(identified, model);
+  if (!pose) fit.faults.insert(Fault::kGeometryGate);
+  if (!pose || !*pose) return fit;
+  fit.pose = (*pose)->in_output;
+  fit.timing_sigma_mm = (*pose)->timing_sigma_mm;
+  fit.uncorrected_cost_mm = (*pose)->uncorrected_cost_mm;
   return fit;
 }
 

@@ -81,7 +81,7 @@ TEST(CalibrationJacobianTest, UncertainParametersScatterThePointAsTheJacobianSay
   sigma << 0.5, 0.5, 0.4, 0.4, 2e-3, 3e-3, 1e-4, 1e-4, 1e-3, 0.5, 0.5, 0.4, 0.4, 2e-3, 3e-3, 1e-4, 1e-4, 1e-3,  //
       5e-4, 5e-4, 5e-4, 0.05, 0.05, 0.05;
   Noise noise{21};
-  testing::Spread spread;
+  testing::Spread<> spread;
   constexpr int kRuns = 10'000;
   for (int run = 0; run < kRuns; ++run) {
     RigParameters parameters = parameters_of(calibration);

@@ -37,27 +37,33 @@ class Noise {
 };
 
 /// Mean and covariance of what has been added.
+template <int N = 3>
 class Spread {
  public:
-  void add(const Eigen::Vector3d& value) {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+
+  void add(const Vector& value) {
     ++count_;
-    const Eigen::Vector3d from_old_mean = value - mean_;
+    const Vector from_old_mean = value - mean_;
     mean_ += from_old_mean / count_;
     sum_ += from_old_mean * (value - mean_).transpose();
   }
-  [[nodiscard]] Eigen::Matrix3d covariance() const { return sum_ / (count_ - 1.0); }
+  [[nodiscard]] Matrix covariance() const { return sum_ / (count_ - 1.0); }
 
  private:
   double count_ = 0.0;
-  Eigen::Vector3d mean_ = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d sum_ = Eigen::Matrix3d::Zero();
+  Vector mean_ = Vector::Zero();
+  Matrix sum_ = Matrix::Zero();
 };
 
 /// Largest entry of root^-1 measured root^-T - 1: how far two covariances differ, whatever their directions.
-inline double relative_difference(const Eigen::Matrix3d& measured, const Eigen::Matrix3d& stated) {
-  const Eigen::Matrix3d root = stated.llt().matrixL();
-  const Eigen::Matrix3d inverse = root.inverse();
-  return (inverse * measured * inverse.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+template <int N>
+double relative_difference(const Eigen::Matrix<double, N, N>& measured, const Eigen::Matrix<double, N, N>& stated) {
+  using Matrix = Eigen::Matrix<double, N, N>;
+  const Matrix root = stated.llt().matrixL();
+  const Matrix inverse = root.inverse();
+  return (inverse * measured * inverse.transpose() - Matrix::Identity()).cwiseAbs().maxCoeff();
 }
 
 }  // namespace tripoint::testing

@@ -44,7 +44,7 @@ TEST(UncertaintyTest, NoisyPixelsScatterTheBestPointAsItsCovarianceSays) {
   const Rig rig = general_rig();
   const auto seen = unevenly_seen(rig, kPoint);
   Noise noise{11};
-  Spread spread;
+  Spread<> spread;
   double chi2_sum = 0.0;
   for (int run = 0; run < kRuns; ++run) {
     const TriangulatedPoint point = triangulated(rig, disturbed(seen, noise)).value();
@@ -59,7 +59,7 @@ TEST(UncertaintyTest, NoisyPixelsScatterThePapersPointAsItsCovarianceSays) {
   const Rig rig = general_rig();
   const auto seen = unevenly_seen(rig, kPoint);
   Noise noise{12};
-  Spread spread;
+  Spread<> spread;
   double chi2_sum = 0.0;
   for (int run = 0; run < kRuns; ++run) {
     const TriangulatedPoint point = triangulated_by_paper(rig, disturbed(seen, noise)).value();

@@ -86,6 +86,23 @@ TEST_F(AllocationTest, SwitchedLedsAllocateNothing) {
   EXPECT_EQ(allocations_of_a_run(model, testing::blinking(leds, two_seconds())), 0);
 }
 
+/// A triangle that keeps its shape.
+std::vector<testing::Path> moving_triangle() {
+  std::vector<testing::Path> paths;
+  for (const Vec3& led : {Vec3(80.0, 0.0, 0.0), Vec3(20.0, -50.0, 0.0), Vec3(0.0, 0.0, 0.0)}) {
+    paths.push_back([led, path = testing::circle(100.0)](double time_s) -> Vec3 { return path(time_s) + led; });
+  }
+  return paths;
+}
+
+TEST_F(AllocationTest, AFullPoseAllocatesNothing) {
+  LineModel model = heavy_model();
+  model.covariance *= 1e-4;
+  model.target.points.push_back({2, {80.0, 0.0, 0.0}, 0.05});
+  model.target.points.push_back({3, {20.0, 50.0, 0.0}, 0.05});
+  EXPECT_EQ(allocations_of_a_run(model, testing::shot(model, moving_triangle(), two_seconds())), 0);
+}
+
 TEST_F(AllocationTest, TwelvePointsAndErrorsAllocateNothing) {
   const LineModel model = heavy_model();
   std::vector<testing::Path> paths;

@@ -76,12 +76,19 @@ TEST(LineModulationTest, APathThatTurnsRoundAtOnceStaysWithinItsStatedUncertaint
   }
 }
 
-TEST(LineModulationTest, SeveralLedsArePublishedWithTheirIdsAndWithoutAPose) {
-  const std::vector<Path> leds{at_rest({-40, 0, 400}), at_rest({0, 3, 410}), at_rest({45, -20, 390})};
-  const auto found = verdicts(model_of(3), blinking(leds, {}));
+TEST(LineModulationTest, SeveralLedsGiveAPoseAndTheirPointsTheirIds) {
+  const std::vector<Path> leds{at_rest({-40, 0, 400}), at_rest({0, 40, 410}), at_rest({45, -20, 390})};
+  LineModel model = model_of(3);
+  for (std::size_t i = 0; i < leds.size(); ++i) {
+    // The target is turned by half a turn about x, its first LED is its origin.
+    const Vec3 from_first_mm = leds[i](0.0) - leds[0](0.0);
+    model.target.points[i].in_target_mm = {from_first_mm.x(), -from_first_mm.y(), -from_first_mm.z()};
+  }
+  const auto found = verdicts(model, blinking(leds, {}));
   ASSERT_FALSE(found.empty());
-  EXPECT_FALSE(found.back().pose);
-  EXPECT_EQ(found.back().faults, Faults{Fault::kAmbiguous});
+  EXPECT_TRUE(found.back().faults.empty());
+  ASSERT_TRUE(found.back().pose && found.back().pose->output_from_target);
+  EXPECT_LT((found.back().pose->position_in_output_mm - leds[0](0.0)).norm(), 2.0);
   std::set<int> ids;
   for (const MeasuredPoint& point : found.back().points) {
     ids.insert(point.id);
@@ -89,6 +96,19 @@ TEST(LineModulationTest, SeveralLedsArePublishedWithTheirIdsAndWithoutAPose) {
     EXPECT_LT((point.in_output_mm - truth_mm).norm(), 2.0) << point.id;
   }
   EXPECT_EQ(ids, (std::set<int>{11, 12, 13}));
+}
+
+TEST(LineModulationTest, LedsThatBlinkAsOthersThanGeometrySaysGiveNoPose) {
+  const std::vector<Path> leds{at_rest({-40, 0, 400}), at_rest({0, 40, 410}), at_rest({45, -20, 390})};
+  LineModel model = model_of(3);
+  for (std::size_t i = 0; i < leds.size(); ++i) {
+    const Vec3 from_first_mm = leds[(i + 1) % leds.size()](0.0) - leds[0](0.0);  // each is where the next should be
+    model.target.points[i].in_target_mm = {from_first_mm.x(), -from_first_mm.y(), -from_first_mm.z()};
+  }
+  const auto found = verdicts(model, blinking(leds, {}));
+  ASSERT_FALSE(found.empty());
+  EXPECT_FALSE(found.back().pose);
+  EXPECT_EQ(found.back().faults, Faults{Fault::kGeometryGate});
 }
 
 TEST(LineModulationTest, TwoLedsThatStandWhereTheOtherWasAreNotJoined) {

@@ -1,0 +1,41 @@
+// The full pose of a target from three or more of its points.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "geometry/triangulation.h"
+#include "line/measurement.h"
+#include "line/model.h"
+#include "values/linear.h"
+#include "values/side.h"
+
+namespace tripoint {
+
+/// One identified point of the target as measured.
+struct LocatedPoint {
+  TargetPoint of;
+  PerSide<MeasuredPixel> pixels;
+  TriangulatedPoint place;  ///< by the model's method
+  Eigen::Matrix<double, 3, 24> place_by_calibration = Eigen::Matrix<double, 3, 24>::Zero();
+  Eigen::Matrix<double, 3, 4> moved_by_clocks_mm = Eigen::Matrix<double, 3, 4>::Zero();  ///< see pose_of_body
+  std::optional<Vec3> moved_by_skew_mm;  ///< if the skew were taken as none; absent while the speed is unknown
+};
+
+struct BodyPose {
+  TargetPose in_output;
+  double timing_sigma_mm = 0.0;  ///< of the position, all directions together
+  std::optional<double> uncorrected_cost_mm;
+};
+
+/// By maximum likelihood the rigid fit of all points' pixels; by the paper's method the frame of the first three.
+///
+/// The clocks' error is one for all points, so what it moves them by (`moved_by_clocks_mm`, standard deviations along
+/// two directions of each picture, each column of the same sign in all points) adds up, whereas the noise does not.
+/// The calibration's part is of first order: how the pose follows its points, and they the parameters.
+///
+/// @param points three or more, not on a line
+/// @return as rigid_fit
+Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model);
+
+}  // namespace tripoint
