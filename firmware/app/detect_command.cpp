@@ -91,7 +91,10 @@ class PictureReader {
     const Detection detection = coloured ? detector_.detect(picture) : Detection{};
     ordered_json points = ordered_json::array();
     for (const ImagePoint& point : detection.points) points.push_back(as_json(point));
-    ordered_json line = {{"image", image.string()}, {"points", points}};
+    ordered_json line = {{"image", image.string()},
+                         {"looked_at", coloured},
+                         {"cut", detection.health.candidates_cut},
+                         {"points", points}};
     if (folder_) {
       const CandidateLog log = coloured ? detector_.candidates() : CandidateLog{};
       explain({.picture = picture, .log = log, .detection = detection, .settings = settings_}, image, line);

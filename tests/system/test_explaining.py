@@ -109,7 +109,8 @@ def test_the_detector_is_the_one_that_is_asked_for(tmp_path: Path, detector: str
 def test_without_it_the_line_has_no_more_fields(tmp_path: Path) -> None:
     image = lights(tmp_path / "a.png", (320, 240), [(100, 80)])
     (line,) = map(json.loads, finished("detect", str(image), "--json").stdout.splitlines())
-    assert list(line) == ["image", "points"]
+    assert list(line) == ["image", "looked_at", "cut", "points"]
+    assert (line["looked_at"], line["cut"]) == (True, False)
 
 
 def test_pictures_of_one_name_from_two_folders_get_two_files(tmp_path: Path) -> None:
@@ -166,6 +167,8 @@ def test_a_grey_picture_is_explained_too(tmp_path: Path) -> None:
     image.write_bytes(png(64, 48, bytes(range(48)) * 64, grey=True))
     run, (line,) = explained(tmp_path / "why", image)
     assert run.returncode == 0
+    assert line["looked_at"] is False
+    assert line["cut"] is False
     assert line["points"] == []
     assert line["candidates"] == []
     assert size_of(Path(line["explanation"]))
@@ -178,6 +181,8 @@ def test_a_huge_picture_with_500_spots_and_some_at_the_border_stays_readable(tmp
     assert run.returncode == 0, run.stderr
     assert len(places) >= 500
     assert len(line["candidates"]) <= 256
+    assert line["cut"] is True
+    assert len(line["points"]) < len(places)
     width_px, height_px = size_of(Path(line["explanation"]))
     assert width_px == 1920 + 40
     assert height_px < 3000
