@@ -1,6 +1,9 @@
 #include "sim/clutter.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -73,21 +76,84 @@ TEST(ClutterTest, EveryLedIsWithinTheChosenPeaksInBothPictures) {
   }
 }
 
+/// What a scene may hold, and in what share of the scenes it does.
+struct Kind {
+  std::string_view name;
+  double share;
+  bool (*is_in)(const SimulationSettings& settings);
+};
+
+template <typename Is>
+bool any_light(const SimulationSettings& settings, const Is& is) {
+  return std::ranges::any_of(settings.scene.lights, is);
+}
+
+template <typename Is>
+std::ptrdiff_t figures(const SimulationSettings& settings, const Is& is) {
+  return std::ranges::count_if(settings.scene.surfaces,
+                               [&](const Surface& surface) { return surface.outline && is(surface); });
+}
+
+bool is_standing(const LightSource& light) {
+  return light.id == 0 && light.mount == Mount::kReference && !light.mirror && light.veil_share == 0.0;
+}
+
+/// A palm is 38 by 44 mm, and no other figure is.
+bool is_palm(const Surface& surface) { return surface.outline->half_axes_mm == Vec2(38.0, 44.0); }
+
+/// A robot's arm has three joints of 32 mm.
+bool is_joint(const Surface& surface) { return surface.outline->half_axes_mm == Vec2(32.0, 32.0); }
+
+/// Cables are boxes of 0.6 to 2.5 mm by 100 to 250 mm.
+bool is_cable(const Surface& surface) {
+  return surface.outline->half_axes_mm.x() >= 100.0 && surface.outline->half_axes_mm.y() <= 2.5;
+}
+
+const std::array kKinds{
+    Kind{"four LEDs", 0.5, [](const auto& s) { return leds_of(s).size() == 4; }},
+    Kind{"a mirror", 0.15,
+         [](const auto& s) { return any_light(s, [](const auto& l) { return l.mirror.has_value(); }); }},
+    Kind{"hot pixels", 0.3, [](const auto& s) { return s.sensor.hot_pixel_share > 0.0; }},
+    Kind{"glare", 0.12, [](const auto& s) { return any_light(s, [](const auto& l) { return l.veil_share == 1.0; }); }},
+    Kind{"a wide lamp", 0.5,
+         [](const auto& s) { return any_light(s, [](const auto& l) { return l.veil_share == 0.05; }); }},
+    Kind{"two white LEDs", 1.0,
+         [](const auto& s) {
+           return std::ranges::count_if(s.scene.lights, [](const auto& l) {
+                    return is_standing(l) && l.color[1] > l.color[0] && l.color[1] > l.color[2];
+                  }) >= 2;
+         }},
+    // 8 to 30, four of five of them with more red than green.
+    Kind{"highlights", 1.0,
+         [](const auto& s) {
+           return std::ranges::count_if(s.scene.lights, [](const auto& l) {
+                    return is_standing(l) && l.color[0] >= l.color[1] && !is_red(l);
+                  }) >= 2;
+         }},
+    // On the body in 0.3 of the scenes, beside an LED in 0.15: 1 - 0.7 x 0.85.
+    Kind{"highlights that move with the target", 0.405,
+         [](const auto& s) {
+           return any_light(s, [](const auto& l) { return l.id == 0 && l.mount == Mount::kTarget && !l.mirror; });
+         }},
+    Kind{"an arm", 1.0, [](const auto& s) { return figures(s, is_joint) == 3; }},
+    Kind{"three cables", 1.0, [](const auto& s) { return figures(s, is_cable) == 3; }},
+    Kind{"a hand", 1.0, [](const auto& s) { return figures(s, is_palm) >= 1; }},
+    Kind{"a hand in front", 0.25, [](const auto& s) { return figures(s, is_palm) == 2; }},
+    Kind{"a plate of the LEDs", 0.55,
+         [](const auto& s) {
+           return figures(s, [](const auto& f) { return f.shading == 0.3 && f.texture == 0.1; }) == 1;
+         }},
+};
+
 TEST(ClutterTest, ScenesVaryAsTheDocumentSays) {
-  const auto share = [](double probability) { return probability * static_cast<double>(kSeeds); };
-  const double slack = 16.0;  // four standard deviations of a share of one half
-  const ClutterChoice choice;
-  EXPECT_NEAR(static_cast<double>(scenes_with(choice, [](const auto& s) { return leds_of(s).size() == 4; })),
-              share(0.5), slack);
-  EXPECT_NEAR(static_cast<double>(scenes_with(choice,
-                                              [](const auto& s) {
-                                                return std::ranges::any_of(s.scene.lights, [](const auto& light) {
-                                                  return light.mirror.has_value();
-                                                });
-                                              })),
-              share(0.15), slack);
-  EXPECT_NEAR(static_cast<double>(scenes_with(choice, [](const auto& s) { return s.sensor.hot_pixel_share > 0.0; })),
-              share(0.3), slack);
+  for (const Kind& kind : kKinds) {
+    const double scenes = static_cast<double>(kSeeds);
+    const double expected = kind.share * scenes;
+    const double slack = 4.0 * std::sqrt(scenes * kind.share * (1.0 - kind.share));  // standard deviations
+    const auto seen = static_cast<double>(scenes_with(ClutterChoice{}, kind.is_in));
+    EXPECT_GT(seen, 0.0) << kind.name;
+    EXPECT_NEAR(seen, expected, slack) << kind.name;
+  }
 }
 
 TEST(ClutterTest, RedLampsComeOnlyWhenAskedForAndChangeNothingElse) {
