@@ -2,8 +2,10 @@
 // thread and the measuring thread do, one after the other and on the time of the pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "capture/band_choice.h"
@@ -19,17 +21,18 @@ namespace {
 
 constexpr Duration kPeriod = std::chrono::milliseconds(33);
 constexpr int kLampAppears = 33;
-constexpr int kLedJumps = 33;
+constexpr int kFirstOfPhases = 33;
+const std::vector<Vec3> kOneLed{Vec3::Zero()};
+const std::vector<Vec3> kThreeLeds{Vec3::Zero(), {50.0, 0.0, 0.0}, {0.0, 35.0, 10.0}};
 
 /// 300 mm/s to the right and 60 mm/s down.
 Vec3 led_at(double time_s) { return {-60.0 + 300.0 * time_s / 3.0, -40.0 + 60.0 * time_s / 3.0, 390.0}; }
 
-SimulatedWorld world_with(const std::vector<LightSource>& lamps, const Vec3& shift_mm = Vec3::Zero()) {
+SimulatedWorld world_of(const Scene& scene, const Vec3& shift_mm = Vec3::Zero()) {
   SimulationSettings settings;
   settings.format = PixelFormat::kMjpeg;
   settings.line_time = Duration{0};
-  settings.scene = led_scene({Vec3::Zero()});
-  for (const LightSource& lamp : lamps) settings.scene.lights.push_back(lamp);
+  settings.scene = scene;
   settings.trajectory = {.period = std::chrono::seconds{10}, .reference_from_target = [shift_mm](double time_s) {
                            Isometry3 pose = Isometry3::Identity();
                            pose.translation() = led_at(time_s) + shift_mm;
@@ -38,11 +41,27 @@ SimulatedWorld world_with(const std::vector<LightSource>& lamps, const Vec3& shi
   return SimulatedWorld::create(settings).value();
 }
 
-LineModel model_of_default_rig() {
+SimulatedWorld world_with(const std::vector<LightSource>& lamps) {
+  Scene scene = led_scene(kOneLed);
+  for (const LightSource& lamp : lamps) scene.lights.push_back(lamp);
+  return world_of(scene);
+}
+
+/// Without its last LED.
+SimulatedWorld world_with_one_hidden(const std::vector<Vec3>& leds) {
+  Scene scene = led_scene(leds);
+  scene.lights.pop_back();
+  return world_of(scene);
+}
+
+LineModel model_of_default_rig(const std::vector<Vec3>& leds) {
   LineModel model;
   model.calibration = default_rig();
   model.rig = rig_of(model.calibration).value();
-  model.target.points.push_back(TargetPoint{});
+  for (const Vec3& led : leds) {
+    model.target.points.push_back({.id = static_cast<int>(model.target.points.size()) + 1, .in_target_mm = led});
+  }
+  model.target.facing = -Vec3::UnitZ();
   model.volume = WorkingVolume{{-200.0, -200.0, 250.0}, {200.0, 200.0, 600.0}};
   model.limits.offset_prior_s = 1e-4;
   return model;
@@ -60,6 +79,9 @@ struct Verdict {
 class Tracking {
  public:
   using World = std::function<const SimulatedWorld&(int frame)>;
+
+  explicit Tracking(const std::vector<Vec3>& leds = kOneLed)
+      : line_(std::make_shared<const LineModel>(model_of_default_rig(leds))) {}
 
   std::vector<Verdict> run(const World& world, int frames, const std::function<Vec3(int frame)>& truth) {
     std::vector<Verdict> verdicts;
@@ -109,7 +131,7 @@ class Tracking {
     Sightings sightings;
   };
   PerSide<Eye> eyes_;
-  Line line_{std::make_shared<const LineModel>(model_of_default_rig())};
+  Line line_;
   Forecast forecast_;
 };
 
@@ -160,31 +182,88 @@ TEST(TrackingTest, AnotherLampIsNoticedAtTheNextWholePictureAndNeverTaken) {
   EXPECT_TRUE(by_regions(verdicts[static_cast<std::size_t>(kLampAppears)])) << "nothing was tried";
 }
 
-TEST(TrackingTest, ALedThatJumpsOutOfItsRegionIsBackWithinThreeFrames) {
+bool by_no_region(const Verdict& verdict) {
+  return verdict.coverage.left == Coverage::kWholeFrame && verdict.coverage.right == Coverage::kWholeFrame;
+}
+
+/// Something happens in one frame: each of the phases in which it finds the count of whole pictures.
+class TrackingInEachPhaseTest : public testing::TestWithParam<int> {
+ protected:
+  /// Each pose is true, from the third frame on there is one again, and later it is tracked by regions again.
+  static void expect_back_within_three(const std::vector<Verdict>& verdicts) {
+    for (const Verdict& verdict : verdicts) {
+      if (verdict.measurement.pose) {
+        EXPECT_LT(verdict.error_mm, kSameSpot_mm) << verdict.frame;
+      }
+      if (verdict.frame >= GetParam() + 3) {
+        EXPECT_TRUE(verdict.measurement.pose) << verdict.frame;
+      }
+    }
+    EXPECT_TRUE(by_regions(verdicts[50]) || by_regions(verdicts[51])) << "it is never tracked again";
+  }
+
+  /// The frame in which it happens; what was seen whole less than five frames before is seen by regions.
+  static const Verdict& in_question(const std::vector<Verdict>& verdicts) {
+    const Verdict& verdict = verdicts[static_cast<std::size_t>(GetParam())];
+    EXPECT_EQ(verdict.frame, GetParam());
+    const auto first = verdicts.begin() + GetParam() - static_cast<std::ptrdiff_t>(kFramesPerWhole) + 1;
+    const bool whole_lately = std::any_of(first, verdicts.begin() + GetParam(), by_no_region);
+    EXPECT_EQ(by_regions(verdict), whole_lately) << verdict.frame;
+    EXPECT_EQ(by_no_region(verdict), !whole_lately) << verdict.frame;
+    return verdict;
+  }
+};
+
+TEST_P(TrackingInEachPhaseTest, ALedThatJumpsOutOfItsRegionIsBackWithinThreeFrames) {
   const Vec3 jump_mm(20.0, 60.0, 15.0);  // 95 px down
   const SimulatedWorld here = world_with({});
-  const SimulatedWorld there = world_with({}, jump_mm);
-  const auto jumped = [](int frame) { return frame >= kLedJumps; };
+  const SimulatedWorld there = world_of(led_scene(kOneLed), jump_mm);
+  const auto jumped = [](int frame) { return frame >= GetParam(); };
   const auto verdicts =
       Tracking().run([&](int frame) -> const SimulatedWorld& { return jumped(frame) ? there : here; }, 60,
                      [&](int frame) -> Vec3 { return true_place(frame) + (jumped(frame) ? jump_mm : Vec3::Zero()); });
-  for (const Verdict& verdict : verdicts) {
-    if (verdict.measurement.pose) {
-      EXPECT_LT(verdict.error_mm, kSameSpot_mm) << verdict.frame;
-    }
-    if (verdict.frame == kLedJumps) {
-      EXPECT_TRUE(by_regions(verdict));
-      EXPECT_EQ(verdict.measurement.faults, (Faults{Fault::kNotSeenLeft, Fault::kNotSeenRight}));
-    }
-    if (verdict.frame >= kLedJumps + 1) {
-      EXPECT_EQ(verdict.spots.left, 1U) << verdict.frame;
-    }
-    if (verdict.frame >= kLedJumps + 3) {
-      EXPECT_TRUE(verdict.measurement.pose) << verdict.frame;
-    }
+  const Verdict& at_jump = in_question(verdicts);
+  if (by_regions(at_jump)) {
+    EXPECT_EQ(at_jump.measurement.faults, (Faults{Fault::kNotSeenLeft, Fault::kNotSeenRight}));
+  } else {
+    EXPECT_EQ(at_jump.spots.left, 1U);
   }
-  EXPECT_TRUE(by_regions(verdicts[50]) || by_regions(verdicts[51])) << "it is never tracked again";
+  for (int frame = GetParam() + 1; frame < 60; ++frame) {
+    EXPECT_EQ(verdicts[static_cast<std::size_t>(frame)].spots.left, 1U) << frame;
+  }
+  expect_back_within_three(verdicts);
 }
+
+TEST_P(TrackingInEachPhaseTest, ALedThatIsHiddenForOneFrameIsBackWithinThree) {
+  const SimulatedWorld lit = world_with({});
+  const SimulatedWorld dark = world_with_one_hidden(kOneLed);
+  const auto verdicts = Tracking().run(
+      [&](int frame) -> const SimulatedWorld& { return frame == GetParam() ? dark : lit; }, 60, true_place);
+  const Verdict& hidden = in_question(verdicts);
+  EXPECT_EQ(hidden.measurement.faults, (Faults{Fault::kNotSeenLeft, Fault::kNotSeenRight}));
+  EXPECT_FALSE(hidden.measurement.pose);
+  expect_back_within_three(verdicts);
+}
+
+TEST_P(TrackingInEachPhaseTest, OneOfThreeLedsThatIsMissedInOneFrameIsBackWithinThree) {
+  const SimulatedWorld lit = world_of(led_scene(kThreeLeds));
+  const SimulatedWorld without_one = world_with_one_hidden(kThreeLeds);
+  const auto verdicts =
+      Tracking(kThreeLeds)
+          .run([&](int frame) -> const SimulatedWorld& { return frame == GetParam() ? without_one : lit; }, 60,
+               true_place);
+  const Verdict& missed = in_question(verdicts);
+  EXPECT_EQ(missed.spots.left, 2U);
+  EXPECT_FALSE(missed.measurement.pose);
+  for (int frame = GetParam() + 3; frame < 60; ++frame) {
+    EXPECT_EQ(verdicts[static_cast<std::size_t>(frame)].spots.left, 3U) << frame;
+  }
+  expect_back_within_three(verdicts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Phases, TrackingInEachPhaseTest,
+                         testing::Range(kFirstOfPhases, kFirstOfPhases + static_cast<int>(kFramesPerWhole)),
+                         [](const auto& phase) { return "Frame" + std::to_string(phase.param); });
 
 }  // namespace
 }  // namespace tripoint
