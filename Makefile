@@ -30,7 +30,7 @@ build: setup ## build tripointd and host-tool into build/bin
 	@ln -sfn ../release/bin/tripoint-render build/bin/tripoint-render
 
 .PHONY: demo
-demo: build ## watch a measured position follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself)
+demo: build ## watch a measured pose follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself)
 	@deploy/dev/demo $(MODBUS_PORT) $(DEMO_SECONDS)
 
 .PHONY: check

@@ -91,7 +91,9 @@ void check_shape(TableReader& root, const TargetFile& target) {
 
 TargetFile single_led() {
   TargetFile target;
-  target.points.push_back({});
+  TargetFilePoint origin;
+  origin.uncertainty_mm = 0.0;
+  target.points.push_back(origin);
   target.sha256 = sha256("");
   return target;
 }

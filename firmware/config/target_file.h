@@ -40,7 +40,7 @@ struct TargetFile {
   Sha256 sha256{};                      ///< of the whole file
 };
 
-/// One LED at the target's origin: what an empty target.file means.
+/// One LED that is the target's origin, exactly: what an empty target.file means.
 TargetFile single_led();
 
 /// Reads format "tripoint-target/1".

@@ -10,9 +10,7 @@ namespace tripoint {
 namespace {
 
 constexpr double kMargin_px = 6.0;
-constexpr double kLeastToMirror_mm = 5.0;         // an LED has a housing
-const Vec3 kFarthestPlace_mm{60.0, 60.0, 120.0};  // of the target from the middle of the volume
-const Vec3 kMiddle_mm{0.0, 0.0, 420.0};
+constexpr double kLeastToMirror_mm = 5.0;  // an LED has a housing
 const Vec3 kFastest_mm_per_s{300.0, 300.0, 300.0};
 const Vec3 kFastestTurn_rad_per_s{1.0, 1.0, 1.0};
 
@@ -52,11 +50,11 @@ std::optional<Pixels> seen_by_both(const Rig& rig, const Vec3& in_rig_mm) {
   return pixels;
 }
 
-Isometry3 drawn_pose(Draws& draws) {
+Isometry3 drawn_pose(Draws& draws, const ViewSettings& settings) {
   const auto turn = [](double degrees, const Vec3& axis) {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis);
   };
-  return Eigen::Translation3d(kMiddle_mm + draws.within(kFarthestPlace_mm)) *
+  return Eigen::Translation3d(settings.middle_mm + draws.within(settings.half_mm)) *
          turn(draws.even(-40.0, 40.0), Vec3::UnitX()) * turn(draws.even(-40.0, 40.0), Vec3::UnitY()) *
          turn(180.0, Vec3::UnitX()) * turn(draws.even(-180.0, 180.0), Vec3::UnitZ());
 }
@@ -72,9 +70,9 @@ Target target_at(const Isometry3& pose, std::span<const Vec3> leds_mm) {
   return target;
 }
 
-Isometry3 pose_in_sight(Draws& draws, const Rig& rig, std::span<const Vec3> leds_mm) {
+Isometry3 pose_in_sight(Draws& draws, const Rig& rig, std::span<const Vec3> leds_mm, const ViewSettings& settings) {
   for (;;) {
-    const Isometry3 pose = drawn_pose(draws);
+    const Isometry3 pose = drawn_pose(draws, settings);
     const Target target = target_at(pose, leds_mm);
     const auto in_sight = [&](const Vec3& place) { return seen_by_both(rig, place).has_value(); };
     if (std::all_of(target.leds_mm.begin(), target.leds_mm.end(), in_sight)) return pose;
@@ -144,7 +142,7 @@ class Painter {
     const auto has_room = [&](Side side) { return view.spots[side].size() < settings_.most_spots; };
     for (std::size_t i = 0; i < others && has_room(Side::kLeft) && has_room(Side::kRight); ++i) {
       if (draws_.happens(0.5)) {
-        add(kMiddle_mm + draws_.within({150.0, 120.0, 200.0}));
+        add(settings_.middle_mm + draws_.within({150.0, 120.0, 200.0}));
         continue;
       }
       for (const Side side : kBothSides) {
@@ -176,10 +174,12 @@ TargetView target_view(const Rig& rig, std::span<const Vec3> leds_mm, const View
   Draws draws(seed);
   Draws motion(~seed);
   Draws noise(seed + std::hash<double>{}(at_s));
-  const Isometry3 pose = pose_in_sight(draws, rig, leds_mm);
+  const Isometry3 pose = pose_in_sight(draws, rig, leds_mm, settings);
   const Target first = target_at(pose, leds_mm);
-  const Target target = target_at(moved_on(pose, motion, at_s), leds_mm);
+  const Isometry3 pose_now = moved_on(pose, motion, at_s);
+  const Target target = target_at(pose_now, leds_mm);
   Painter painter(rig, settings, draws, noise);
+  painter.view.rig_from_target = pose_now;
   painter.add_target(target.leds_mm);
   if (draws.happens(settings.mirror_share)) painter.add_mirror(first, target);
   painter.add_others();

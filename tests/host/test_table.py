@@ -41,6 +41,20 @@ def test_a_file_that_does_not_start_at_0_repeats_from_its_first_row(tmp_path: Pa
     assert path.positions_mm(np.array([1.0, 5.0]))[:, 0] == pytest.approx([2.0, 2.0])
 
 
+def test_between_rows_the_target_turns_evenly(tmp_path: Path) -> None:
+    half = np.sqrt(0.5)  # a quarter turn about z, its quaternion with the other sign
+    path = path_from_file(written(tmp_path, HEADER, "0,0,0,400,1,0,0,0", f"2,0,0,400,{-half},0,0,{-half}"))
+    for t_s, degrees in ((0.0, 0.0), (0.5, 22.5), (1.0, 45.0), (1.999, 89.955)):
+        w, x, y, z = path.attitudes_wxyz(np.array([t_s]))[0]
+        assert (x, y) == (0.0, 0.0)
+        assert np.degrees(2.0 * np.arctan2(z, w)) == pytest.approx(degrees)
+
+
+def test_a_target_at_rest_keeps_its_attitude(tmp_path: Path) -> None:
+    path = path_from_file(written(tmp_path, HEADER, "0,0,0,400,0,1,0,0", "1,8,0,400,0,1,0,0"))
+    assert path.attitudes_wxyz(np.array([0.3]))[0].tolist() == [0.0, 1.0, 0.0, 0.0]
+
+
 @pytest.mark.parametrize(
     ("lines", "error"),
     [
@@ -50,6 +64,7 @@ def test_a_file_that_does_not_start_at_0_repeats_from_its_first_row(tmp_path: Pa
         ((HEADER, "0,0,0,nan,1,0,0,0"), "E-TRJ-04 .*line 2"),
         ((HEADER, "0,0,zero,400,1,0,0,0"), "E-TRJ-04 .*line 2"),
         ((HEADER, "0,0,0,400,1,0,0,0"), "E-TRJ-05"),
+        ((HEADER, "0,0,0,400,1,0,0,0.1", "1,0,0,400,1,0,0,0"), "E-TRJ-04 .*line 2.*length 1.00499"),
         ((HEADER,), "E-TRJ-05"),
         ((HEADER, "1,0,0,400,1,0,0,0", "1,0,0,400,1,0,0,0"), "E-TRJ-05"),
     ],

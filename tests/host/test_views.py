@@ -9,6 +9,7 @@ from rich.console import Console
 
 from host_tool.cli.views import BARS, JsonLines, Picture, PlainLines, picture_of, sparkline, view_for
 from host_tool.contract.blocks import Identity, Pose
+from host_tool.contract.conditions import Status
 from host_tool.watching.follow import Sighting
 from host_tool.watching.session import Scene
 from host_tool.watching.tally import Tally
@@ -38,6 +39,19 @@ def drawn(a_scene: Scene) -> str:
 def test_the_picture_shows_measured_against_truth() -> None:
     text = drawn(scene())
     for part in ("Tripoint 4711", "SIMULATED", "400.000", "-0.050", "26 mm/s", "age 20.0 ms", "max 0.1 mm"):
+        assert part in text
+
+
+def test_the_picture_shows_how_the_target_is_turned() -> None:
+    turned = replace(
+        POSE,
+        status=POSE.status | Status.ORIENTATION_VALID,
+        angles_deg=(0.25, -1.5, 179.9),
+        quaternion_wxyz=(0.0, 1.0, 0.0, 0.0),
+        uncertainty_deg=(0.11, 0.72, 0.81),
+    )
+    text = drawn(replace(scene(turned), comparison=Comparison((0.05, 0.0, 400.0), 0.05, True, turned_deg=0.042)))
+    for part in ("A deg", "0.250", "-1.500", "179.900", "0.810", "turned by 0.042 degrees from the truth"):
         assert part in text
 
 

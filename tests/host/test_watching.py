@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from host_tool.contract.blocks import Identity, Pose
+from host_tool.contract.conditions import Status
 from host_tool.errors import UsageError
 from host_tool.trajectories.paths import Path
 from host_tool.watching.follow import POLL_S, SILENCE_S, Sighting, follow, missed_between
@@ -54,6 +55,36 @@ def test_a_pose_on_the_truth_is_inside() -> None:
     comparison = compared(POSE, ORIGIN)
     assert comparison is not None
     assert (comparison.error_mm, comparison.inside) == (0.0, True)
+
+
+def turned_pose(angle_rad: float, status: Status = Status.POSITION_VALID | Status.ORIENTATION_VALID) -> Pose:
+    """Turned about the line of sight, beyond the half turn about x in which the target faces the cameras."""
+    half = angle_rad / 2.0
+    return replace(POSE, status=status, quaternion_wxyz=(0.0, math.cos(half), math.sin(half), 0.0))
+
+
+@pytest.mark.parametrize("angle_deg", [0.0, 1e-4, 0.5, 90.0, 180.0, 359.0])
+def test_how_far_a_pose_is_turned_from_the_truth(angle_deg: float) -> None:
+    comparison = compared(turned_pose(math.radians(angle_deg)), ORIGIN)
+    assert comparison is not None
+    assert comparison.turned_deg == pytest.approx(min(angle_deg, 360.0 - angle_deg), abs=1e-9)
+
+
+def test_without_a_valid_orientation_nothing_is_turned() -> None:
+    for pose in (POSE, turned_pose(0.1, Status.POSITION_VALID)):
+        comparison = compared(pose, ORIGIN)
+        assert comparison is not None
+        assert comparison.turned_deg is None
+
+
+def test_the_summary_adds_up_how_far_poses_were_turned() -> None:
+    tally = Tally()
+    for angle_rad in (0.3, 0.4):
+        pose = turned_pose(angle_rad)
+        tally.add(Sighting(answer(pose), 0.0, fresh=True, missed=0), compared(pose, ORIGIN))
+    summary = tally.summary()
+    assert summary.turned_rms_deg == pytest.approx(math.degrees(math.sqrt(0.125)))
+    assert summary.turned_worst_deg == pytest.approx(math.degrees(0.4))
 
 
 @pytest.mark.parametrize(("z_mm", "inside"), [(400.29, True), (400.31, False), (399.69, False)])

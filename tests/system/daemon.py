@@ -17,6 +17,7 @@ from host_tool.clock import MonotonicClock
 
 REPOSITORY = Path(__file__).parents[2]
 CONFIG = Path(os.environ.get("TRIPOINT_CONFIG", REPOSITORY / "deploy/demo/demo.toml"))
+ONE_LED = "target.file="  # in place of the demo's three
 START_S = 20.0  # rendering starts, also on a busy machine
 STOP_S = 1.0  # the promise
 TIMEOUT_S = 2.0

@@ -15,11 +15,11 @@ WELL, NO, USAGE, MISSING = 0, 1, 2, 3
 
 @pytest.fixture
 def config(tmp_path: Path) -> Path:
-    """The demo's configuration, with a comment and a wrong exposure to be replaced."""
+    """The demo's configuration for one LED, with a comment and a wrong exposure to be replaced."""
     binary()  # skips where there is none
     for file in CONFIG.parent.glob("*.toml"):
         (tmp_path / file.name).symlink_to(file)
-    text = CONFIG.read_text(encoding="utf-8")
+    text = CONFIG.read_text(encoding="utf-8").replace('file = "target.toml"', 'file = ""')
     copy = tmp_path / "unit.toml"
     copy.write_text(text.replace("[cameras]", "[cameras]  # both\nexposure_us = 9000  # by guess"), encoding="utf-8")
     return copy

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from system.daemon import CONFIG, STOP_S, daemon, renderer
+from system.daemon import CONFIG, ONE_LED, STOP_S, daemon, renderer
 
 from host_tool.appliance.address import address_from
 from host_tool.appliance.unit import Unit, open_unit
@@ -46,7 +46,7 @@ def without_right(answer: Answer) -> bool:
 
 def test_a_lost_camera_takes_the_pose_with_it_and_brings_it_back(tmp_path: Path) -> None:
     folder = recording_with_a_gap(tmp_path / "recording")
-    settings = ("cameras.source=recording", f"recording.folder={folder}")
+    settings = (ONE_LED, "cameras.source=recording", f"recording.folder={folder}")
     with daemon(tmp_path / "log", *settings) as started, open_unit(address_from(started.device), 2.0) as unit:
         wait_for(unit, lambda answer: answer.pose.position_mm is not None)
         lost = wait_for(unit, without_right)
@@ -67,7 +67,8 @@ def config_of_absent_cameras(folder: Path) -> Path:
     serials = 'left.serial = "LEFT-001"\nright.serial = "RIGHT-001"'
     text = CONFIG.read_text(encoding="utf-8").replace('source = "simulation"', f'source = "v4l2"\n{serials}')
     config = folder / "absent.toml"
-    (folder / "calibration.toml").symlink_to(CONFIG.parent / "calibration.toml")
+    for name in ("calibration.toml", "target.toml"):
+        (folder / name).symlink_to(CONFIG.parent / name)
     config.write_text(text, encoding="utf-8")
     return config
 

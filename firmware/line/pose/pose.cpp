@@ -95,7 +95,9 @@ BodyPose position_only(const LocatedPoint& at, const LineModel& model) {
   const Matrix3 rotation = model.output_from_rig.linear();
   BodyPose pose;
   pose.in_output.position_in_output_mm = model.output_from_rig * at.place.in_rig_mm;
-  pose.in_output.noise.topLeftCorner<3, 3>() = rotation * at.place.covariance_mm2 * rotation.transpose();
+  const double mounted_mm = at.of.uncertainty_mm / 2.0;
+  pose.in_output.noise.topLeftCorner<3, 3>() =
+      rotation * at.place.covariance_mm2 * rotation.transpose() + mounted_mm * mounted_mm * Matrix3::Identity();
   pose.in_output.shared.topLeftCorner<3, 3>() = rotation * shared_mm2(at, model) * rotation.transpose();
   pose.timing_sigma_mm = at.moved_by_clocks_mm.norm();
   if (at.moved_by_skew_mm) pose.uncorrected_cost_mm = at.moved_by_skew_mm->norm();

@@ -83,6 +83,7 @@ constexpr ImageSize kSize{320, 240};
 Config demo_config(std::uint16_t port) {
   Config config = load_config(test::top_folder() / "deploy/demo/demo.toml", {}).value();
   config.modbus.port = port;
+  config.target_file.clear();  // one LED
   config.cameras.size = kSize;
   config.calibration_file = test::top_folder() / "tests/unit/app/small_rig.toml";
   // A sanitizer on a busy machine renders late all the same.

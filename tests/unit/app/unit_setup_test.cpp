@@ -41,7 +41,7 @@ TEST(UnitSetupTest, TheDemoIsACalibratedSimulation) {
   EXPECT_NE(setup->constants.identity.setup, 0);
   EXPECT_NE(setup->constants.identity.calibration_id, 0U);
   ASSERT_NE(setup->model, nullptr);
-  EXPECT_EQ(setup->model->target.points.size(), 1U);
+  EXPECT_EQ(setup->model->target.points.size(), 3U);
 }
 
 TEST(UnitSetupTest, WithoutACalibrationFileThereIsNoModel) {
@@ -79,7 +79,7 @@ TEST(UnitSetupTest, SpheresAreNotMeasuredAndTheRemedyIsSaid) {
 TEST(UnitSetupTest, ModulationIsPartOfTheSetupAndNeedsATargetOfLeds) {
   const Result<UnitSetup> setup = demo_setup({"modulation.enabled=true"});
   ASSERT_TRUE(setup) << setup.error().message;
-  ASSERT_EQ(setup->target.points.size(), 1U);
+  ASSERT_EQ(setup->target.points.size(), 3U);
   EXPECT_EQ(setup->target.points[0].id, 1);
   EXPECT_NE(setup->constants.identity.setup, demo_setup()->constants.identity.setup);
 

@@ -34,7 +34,7 @@ inline LineModel webcam_model() {
   LineModel model;
   model.calibration = webcam_calibration();
   model.rig = *rig_of(model.calibration);
-  model.target.points.push_back(TargetPoint{});
+  model.target.points.push_back({.id = 1, .in_target_mm = Vec3::Zero(), .uncertainty_mm = 0.0});  // the origin itself
   model.volume = WorkingVolume{{-150.0, -150.0, 250.0}, {150.0, 150.0, 600.0}};
   model.limits.offset_prior_s = 1e-4;
   return model;

@@ -90,6 +90,9 @@ def _print(seen: Seen, verdict: Verdict) -> None:
     click.echo(f"valid            {_percent(summary.valid_share)}")
     click.echo(f"inside k = 2     {_percent(summary.inside_share)} on all three axes")
     click.echo(f"3D RMS error     {number(summary.rms_mm, 3, 'mm')}, worst {number(summary.worst_mm, 3, 'mm')}")
+    if summary.turned_rms_deg is not None:
+        worst = number(summary.turned_worst_deg, 3, "degrees")
+        click.echo(f"turned by        {number(summary.turned_rms_deg, 3, 'degrees')} RMS, worst {worst}")
     click.echo(f"p99 latency      {number(seen.p99_ms, 2, 'ms')} from the later frame to the registers")
     if inconclusive:
         click.echo(

@@ -110,17 +110,21 @@ def _axes(pose: Pose, scene: Scene) -> RenderableType:
     if pose.position_mm is None or pose.uncertainty_mm is None or not pose.position_valid:
         return Text(position_of(pose, scene.without_s), style="bold red")
     table = Table(box=None, padding=(0, 2))
-    headings = ("", "measured mm", "± (k=2)", "truth mm", "error mm")
+    headings = ("", "measured", "± (k=2)", "truth", "error")
     for heading in headings if scene.comparison is not None else headings[:3]:
         table.add_column(heading, justify="right")
     for axis, (value, spread) in enumerate(zip(pose.position_mm, pose.uncertainty_mm, strict=True)):
-        cells = ["xyz"[axis], number(value, 3), number(spread, 3)]
+        cells = [f"{'xyz'[axis]} mm", number(value, 3), number(spread, 3)]
         if scene.comparison is None:
             table.add_row(*cells)
             continue
         truth = scene.comparison.truth_mm[axis]
         style = "green" if abs(value - truth) <= spread else "yellow"
         table.add_row(*cells, number(truth, 3), Text(number(value - truth, 3), style=style))
+    if pose.orientation_valid and pose.angles_deg is not None:
+        spreads_deg = pose.uncertainty_deg or (None, None, None)  # absent in gimbal lock
+        for name, angle_deg, spread_deg in zip("ABC", pose.angles_deg, spreads_deg, strict=True):
+            table.add_row(f"{name} deg", number(angle_deg, 3), number(spread_deg, 3))
     return table
 
 
@@ -129,12 +133,19 @@ def _figures(scene: Scene) -> str:
     lines = [
         f"exposed {time_of(pose.exposed_utc_ns)} UTC   age {age_of(pose)}   "
         f"speed {number(scene.speed_mm_per_s, 0, 'mm/s')}   #{pose.sequence}",
+        *_turned(scene),
         _counted(scene.summary),
         *margins_of(scene.health),
     ]
     if not scene.sighting.fresh:
         lines.append("NOTHING NEW: the unit has stopped bringing verdicts")
     return "\n".join(lines)
+
+
+def _turned(scene: Scene) -> list[str]:
+    if scene.comparison is None or scene.comparison.turned_deg is None:
+        return []
+    return [f"turned by {scene.comparison.turned_deg:.3f} degrees from the truth"]
 
 
 def _counted(summary: Summary) -> str:

@@ -40,17 +40,31 @@ def position_of(pose: Pose, without_s: float | None = None) -> str:
     return "  ".join(f"{name} {value:9.3f} ±{spread:.3f}" for name, value, spread in axes) + " mm"
 
 
+def orientation_of(pose: Pose) -> str | None:
+    """A B C with expanded uncertainty; None where the pose has no valid orientation."""
+    if not pose.orientation_valid or pose.angles_deg is None:
+        return None
+    spreads = pose.uncertainty_deg or (None, None, None)  # absent in gimbal lock
+    axes = zip("ABC", pose.angles_deg, spreads, strict=True)
+    return "  ".join(f"{name} {angle:8.3f} ±{number(spread, 3)}" for name, angle, spread in axes) + " deg"
+
+
 def line_of(scene: Scene) -> str:
     """One verdict in one line."""
     sighting, comparison = scene.sighting, scene.comparison
     pose = sighting.answer.pose
     position = position_of(pose, scene.without_s)
-    parts = [time_of(pose.exposed_utc_ns), f"#{pose.sequence}", position, f"age {age_of(pose)}"]
+    parts = [time_of(pose.exposed_utc_ns), f"#{pose.sequence}", position]
+    orientation = orientation_of(pose)
+    if orientation is not None:
+        parts.append(orientation)
+    parts.append(f"age {age_of(pose)}")
     if scene.speed_mm_per_s is not None:
         parts.append(f"speed {scene.speed_mm_per_s:.0f} mm/s")
     if comparison is not None:
         inside = "inside" if comparison.inside else "OUTSIDE"
-        parts.append(f"error {comparison.error_mm:.3f} mm {inside} k=2")
+        turned = "" if comparison.turned_deg is None else f", {comparison.turned_deg:.3f} deg"
+        parts.append(f"error {comparison.error_mm:.3f} mm {inside} k=2{turned}")
     if not sighting.fresh:
         parts.append("NOTHING NEW")
     if sighting.missed:
@@ -72,6 +86,7 @@ def record_of(scene: Scene) -> dict[str, Any]:
         "exposed_utc_ns": pose.exposed_utc_ns,
         "age_ms": pose.age_ms,
         "valid": pose.position_valid,
+        "orientation_valid": pose.orientation_valid,
         "without_s": scene.without_s,
         "position_mm": pose.position_mm,
         "uncertainty_mm": pose.uncertainty_mm,
@@ -87,6 +102,7 @@ def record_of(scene: Scene) -> dict[str, Any]:
         "truth_mm": None if comparison is None else comparison.truth_mm,
         "error_mm": None if comparison is None else comparison.error_mm,
         "inside": None if comparison is None else comparison.inside,
+        "turned_deg": None if comparison is None else comparison.turned_deg,
         "exposure": {
             side: {"above_dim": camera.above_dim, "below_clipping": camera.below_clipping}
             for side, camera in (("left", scene.health.left), ("right", scene.health.right))

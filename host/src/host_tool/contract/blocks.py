@@ -64,6 +64,12 @@ class Pose:
         wanted = Status.POSITION_VALID
         return self.status & (Status.POSITION_VALID | Status.STALE) == wanted and self.position_mm is not None
 
+    @property
+    def orientation_valid(self) -> bool:
+        """Whether angles, quaternion and rotation vector may be used, by the same rule."""
+        wanted = Status.ORIENTATION_VALID
+        return self.status & (Status.ORIENTATION_VALID | Status.STALE) == wanted and self.quaternion_wxyz is not None
+
 
 @dataclass(frozen=True, slots=True)
 class Answer:

@@ -24,19 +24,33 @@ _HOLD_S = 2.0  # of these at rest
 _NS_PER_S = 1_000_000_000
 
 
+def facing_cameras_wxyz(t_s: Floats) -> Floats:
+    """The attitude of the shipped scenarios at all times."""
+    return np.tile(np.array(FACING_CAMERAS_WXYZ), (len(t_s), 1))
+
+
 @dataclass(frozen=True, slots=True)
 class Path:
-    """A periodic motion, always facing the cameras; `positions_mm` maps times (n) to positions (n, 3)."""
+    """A periodic motion; the functions map times (n) to positions (n, 3) and to unit quaternions (n, 4)."""
 
     name: str
     period_s: float
     positions_mm: Callable[[Floats], Floats]
+    attitudes_wxyz: Callable[[Floats], Floats] = facing_cameras_wxyz
 
     def position_at_utc_mm(self, utc_ns: int) -> Floats:
-        """Position at a UTC time; reduced in integers, since ns since 1970 exceed a double's precision."""
-        t_s = (utc_ns % round(self.period_s * _NS_PER_S)) / _NS_PER_S
-        position: Floats = self.positions_mm(np.array([t_s]))[0]
+        """Position at a UTC time."""
+        position: Floats = self.positions_mm(self._phase_s(utc_ns))[0]
         return position
+
+    def attitude_at_utc_wxyz(self, utc_ns: int) -> Floats:
+        """Unit quaternion at a UTC time."""
+        attitude: Floats = self.attitudes_wxyz(self._phase_s(utc_ns))[0]
+        return attitude
+
+    def _phase_s(self, utc_ns: int) -> Floats:
+        """Reduced in integers, since ns since 1970 exceed a double's precision."""
+        return np.array([(utc_ns % round(self.period_s * _NS_PER_S)) / _NS_PER_S])
 
 
 def _there_and_back(t_s: Floats, leg_s: float) -> Floats:

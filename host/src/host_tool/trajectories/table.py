@@ -1,6 +1,7 @@
 """Trajectory files: CSV with the header t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz, the target in the reference frame."""
 
 import csv
+import math
 from collections.abc import Iterable, Iterator
 from pathlib import Path as FilePath
 
@@ -9,6 +10,7 @@ import numpy as np
 from host_tool.errors import UsageError
 from host_tool.trajectories.paths import FACING_CAMERAS_WXYZ, Floats, Path
 
+LENGTH_TOLERANCE = 1e-3  # of a quaternion, for the digits of a file
 HEADER = ("t_s", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz")
 
 
@@ -22,7 +24,7 @@ def lines_of(path: Path, rate_hz: float, seconds: float) -> Iterator[str]:
 
 
 def path_from_file(file: FilePath) -> Path:
-    """A file as a path that repeats after its last row, linear between rows.
+    """A file as a path that repeats after its last row: linear between rows, turning evenly.
 
     Raises UsageError: E-TRJ-02 unreadable, E-TRJ-03 header, E-TRJ-04 a row, E-TRJ-05 times not rising.
     """
@@ -38,7 +40,26 @@ def path_from_file(file: FilePath) -> Path:
         phase_s = np.mod(t_s, period_s)
         return np.column_stack([np.interp(phase_s, times_s, rows[:, column]) for column in (1, 2, 3)])
 
-    return Path(file.name, period_s, positions_mm)
+    def attitudes_wxyz(t_s: Floats) -> Floats:
+        phase_s = np.mod(t_s, period_s)
+        before = np.clip(np.searchsorted(times_s, phase_s, side="right") - 1, 0, len(times_s) - 2)
+        share = (phase_s - times_s[before]) / (times_s[before + 1] - times_s[before])
+        return _slerp(rows[before, 4:], rows[before + 1, 4:], share)
+
+    return Path(file.name, period_s, positions_mm, attitudes_wxyz)
+
+
+def _slerp(start_wxyz: Floats, end_wxyz: Floats, share: Floats) -> Floats:
+    """Unit quaternions (n, 4) on the shorter great arc (Shoemake 1985)."""
+    cosine = np.sum(start_wxyz * end_wxyz, axis=1)
+    end_wxyz = np.where(cosine < 0.0, -1.0, 1.0)[:, np.newaxis] * end_wxyz
+    angle = np.arccos(np.clip(np.abs(cosine), 0.0, 1.0))
+    near = angle < 1e-6  # there the arc is a line
+    sine = np.where(near, 1.0, np.sin(angle))
+    from_start = np.where(near, 1.0 - share, np.sin((1.0 - share) * angle) / sine)[:, np.newaxis]
+    from_end = np.where(near, share, np.sin(share * angle) / sine)[:, np.newaxis]
+    mixed: Floats = from_start * start_wxyz + from_end * end_wxyz
+    return mixed
 
 
 def _rows_from(file: FilePath, lines: Iterable[str]) -> Floats:
@@ -59,4 +80,7 @@ def _row_from(file: FilePath, line: int, cells: list[str]) -> list[float]:
         row = []
     if len(row) != len(HEADER) or not np.all(np.isfinite(row)):
         raise UsageError("E-TRJ-04", f"{file} line {line} is not a row", f"give {len(HEADER)} finite numbers")
-    return row
+    length = math.hypot(*row[4:])
+    if abs(length - 1.0) > LENGTH_TOLERANCE:
+        raise UsageError("E-TRJ-04", f"{file} line {line}: quaternion of length {length:g}", "give one of length 1")
+    return [*row[:4], *(part / length for part in row[4:])]

@@ -20,6 +20,8 @@ class Summary:
     inside_share: float | None
     rms_mm: float | None
     worst_mm: float | None
+    turned_rms_deg: float | None = None  # of the orientation; None also for a target without one
+    turned_worst_deg: float | None = None
 
 
 class Tally:
@@ -30,6 +32,8 @@ class Tally:
         self._last_s = 0.0
         self._verdicts = self._missed = self._poses = self._compared = self._inside = 0
         self._squares_mm2 = self._worst_mm = 0.0
+        self._turned = 0
+        self._squares_deg2 = self._worst_deg = 0.0
 
     def add(self, sighting: Sighting, comparison: Comparison | None) -> None:
         """Counts a fresh verdict; a repeat only moves the time on. What was missed before the first is not ours."""
@@ -47,6 +51,10 @@ class Tally:
             self._inside += comparison.inside
             self._squares_mm2 += comparison.error_mm**2
             self._worst_mm = max(self._worst_mm, comparison.error_mm)
+        if comparison is not None and comparison.turned_deg is not None:
+            self._turned += 1
+            self._squares_deg2 += comparison.turned_deg**2
+            self._worst_deg = max(self._worst_deg, comparison.turned_deg)
 
     def summary(self) -> Summary:
         """The figures so far."""
@@ -62,4 +70,6 @@ class Tally:
             inside_share=self._inside / self._compared if self._compared else None,
             rms_mm=math.sqrt(self._squares_mm2 / self._compared) if self._compared else None,
             worst_mm=self._worst_mm if self._compared else None,
+            turned_rms_deg=math.sqrt(self._squares_deg2 / self._turned) if self._turned else None,
+            turned_worst_deg=self._worst_deg if self._turned else None,
         )

@@ -1,5 +1,6 @@
 """Measured against truth: the error of one pose and whether its stated uncertainty holds the truth."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,11 +12,12 @@ from host_tool.trajectories.paths import Path
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Measured minus true position, at the exposure time of the pose."""
+    """Measured against true pose, at its exposure time."""
 
     truth_mm: Triple
     error_mm: float  # length of the 3D error
     inside: bool  # within the k = 2 interval on all three axes
+    turned_deg: float | None = None  # from the true attitude; None where the pose has no valid orientation
 
 
 def compared(pose: Pose, truth: Path) -> Comparison | None:
@@ -29,7 +31,16 @@ def compared(pose: Pose, truth: Path) -> Comparison | None:
         truth_mm=(x_mm, y_mm, z_mm),
         error_mm=float(np.linalg.norm(error_mm)),
         inside=bool(np.all(np.abs(error_mm) <= np.array(pose.uncertainty_mm))),
+        turned_deg=_turned_deg(pose, truth),
     )
+
+
+def _turned_deg(pose: Pose, truth: Path) -> float | None:
+    if not pose.orientation_valid or pose.quaternion_wxyz is None:
+        return None
+    a, b = np.array(pose.quaternion_wxyz), truth.attitude_at_utc_wxyz(pose.exposed_utc_ns)
+    sine = np.linalg.norm(a[0] * b[1:] - b[0] * a[1:] - np.cross(a[1:], b[1:]))  # of half the turn between them
+    return math.degrees(2.0 * math.atan2(float(sine), abs(float(a @ b))))
 
 
 def check_scenario_on(simulated: bool) -> None:

@@ -69,6 +69,14 @@ TEST(PoseTest, TheCovarianceTurnsWithTheFrame) {
   EXPECT_NEAR(turned(2, 2), plain(0, 0), 1e-9);
 }
 
+TEST(PoseTest, HowWellTheLedIsMountedIsPartOfThePosesUncertainty) {
+  LineModel model = webcam_model();
+  const Matrix3 exact = fit_of(model, pair_at(model, kPoint, 1)).pose->noise.topLeftCorner<3, 3>();
+  model.target.points[0].uncertainty_mm = 0.2;  // k = 2
+  const Matrix3 mounted = fit_of(model, pair_at(model, kPoint, 1)).pose->noise.topLeftCorner<3, 3>();
+  EXPECT_TRUE((mounted - exact).isApprox(0.01 * Matrix3::Identity(), 1e-9));
+}
+
 class PoseByMethodTest : public ::testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(Methods, PoseByMethodTest, ::testing::Values(Method::kMaximumLikelihood, Method::kPaper),
                          [](const auto& each) { return each.param == Method::kPaper ? "Paper" : "Likelihood"; });

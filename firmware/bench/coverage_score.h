@@ -1,0 +1,41 @@
+// Whether stated covariances hold the truth: over targets at many places, seen through many calibrations in error.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "values/linear.h"
+
+namespace tripoint::bench {
+
+/// One LED; three of 100, 80, 60 mm; four, one of them out of the plane of the others.
+struct CoveredTarget {
+  std::string_view name;
+  std::string_view key;  ///< the same for the name of a figure
+  std::span<const Vec3> leds_mm;
+};
+std::span<const CoveredTarget> covered_targets();
+
+struct CoverageScore {
+  int views = 0;
+  int poses = 0;
+  double inside_share = 0.0;       ///< of the poses: the truth is in the ellipsoid that holds 95 % of a Gaussian
+  double axes_inside_share = 0.0;  ///< of all axes of all poses: the truth is within two standard deviations
+  double position_rms_mm = 0.0;
+  double orientation_rms_deg = 0.0;  ///< 0 for one LED
+};
+
+/// Standard deviations of what a pose is made from. The line is told all of them.
+struct ErrorSources {
+  double spot_px = 0.05;
+  double target_mm = 0.025;     ///< of each LED's place in the target, along each axis
+  double calibration_px = 0.1;  ///< of the points in the pictures of a board and a wand (adjustment_covariance)
+};
+
+/// Views over the part of 300 x 300 x 200 mm around 400 mm that both cameras see (target_view), each with its own
+/// calibration and its own target in error.
+CoverageScore coverage_score(std::span<const Vec3> leds_mm, const ErrorSources& sources, std::uint64_t first_seed,
+                             int views);
+
+}  // namespace tripoint::bench
