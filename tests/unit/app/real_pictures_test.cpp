@@ -51,6 +51,12 @@ bool is_picture(const fs::path& file) {
   return ending == ".jpg" || ending == ".png";
 }
 
+bool is_near(const std::vector<RawPixel>& places, const RawPixel& at, double within_px) {
+  return std::any_of(places.begin(), places.end(), [&](const RawPixel& place) {
+    return std::hypot(place.u_px - at.u_px, place.v_px - at.v_px) < within_px;
+  });
+}
+
 bool is_listed(const std::vector<KnownSpot>& list, const std::string& picture, const RawPixel& at) {
   return std::any_of(list.begin(), list.end(), [&](const KnownSpot& known) {
     return known.picture == picture && std::hypot(known.at.u_px - at.u_px, known.at.v_px - at.v_px) < kSamePlace_px;
@@ -149,13 +155,13 @@ TEST(RealPicturesTest, OnlyWhatIsListedInRetroReflectiveTargetsOf2020) {
 }
 TEST(RealPicturesTest, OnlyTheLaserInScenesWithRedThings) { expect_only_listed_in("red_spot_scenes", {.in_color = 2}); }
 
-TEST(RealPicturesTest, TheSettingsForPassiveSpotsFindTheRedDisc) {
+TEST(RealPicturesTest, TheSettingsForPassiveSpotsFindTheRedDiscAndTheLaserAndNothingElse) {
   if (!fs::exists(red_spot_scene("4.jpg"))) GTEST_SKIP() << "no " << red_spot_scene("4.jpg") << "; set TRIPOINT_SHARED";
   LedDetector detector{passive_spot_settings()};
   const std::vector<RawPixel> places = kept_in(red_spot_scene("4.jpg"), detector);
-  EXPECT_TRUE(std::any_of(places.begin(), places.end(), [](const RawPixel& at) {
-    return std::hypot(at.u_px - 1611.3, at.v_px - 1153.2) < 1.0;  // where it was seen by eye
-  }));
+  EXPECT_EQ(places.size(), 2U);
+  EXPECT_TRUE(is_near(places, {1611.3, 1153.2}, kSamePlace_px)) << "the disc: where it was seen by eye";
+  EXPECT_TRUE(is_near(places, kRedLights.back().at, kSamePlace_px)) << "the laser";
 }
 
 SphereSettings passive_sphere_settings() {
@@ -165,6 +171,22 @@ SphereSettings passive_sphere_settings() {
   return config ? sphere_settings(config->detector) : SphereSettings{};
 }
 
+/// Where the red of the two balls has its middle: of the two areas with a hue within 16 degrees of red, a saturation
+/// over 0.55 and more than 300 px, as OpenCV's HSV gives them. What holds the balls hides a part of them, so that the
+/// middles of the balls lie up to 18 px beside; the smaller ball's radius is more than 30 px.
+struct Balls {
+  std::string_view picture;
+  RawPixel upper;
+  RawPixel lower;
+};
+const std::vector<Balls> kBalls{
+    {"frame0.jpg", {286.0, 373.0}, {366.0, 483.0}},  {"frame4.jpg", {250.0, 285.0}, {338.0, 407.0}},
+    {"frame7.jpg", {228.0, 396.0}, {306.0, 531.0}},  {"frame8.jpg", {303.0, 321.0}, {398.0, 438.0}},
+    {"frame11.jpg", {216.0, 298.0}, {307.0, 443.0}}, {"frame16.jpg", {280.0, 310.0}, {375.0, 434.0}},
+    {"frame18.jpg", {185.0, 240.0}, {281.0, 388.0}}, {"frame19.jpg", {276.0, 230.0}, {386.0, 353.0}},
+};
+constexpr double kOnTheBall_px = 20.0;
+
 // Two red balls on an instrument, partly behind it: what holds them hides a quarter of the outline.
 void expect_both_balls(const SphereSettings& settings) {
   const fs::path folder = test::shared_folder() / "data/red_balls_davinci/RGB";
@@ -172,12 +194,21 @@ void expect_both_balls(const SphereSettings& settings) {
   SphereDetector detector{settings};
   int pictures = 0;
   int with_both = 0;
+  std::size_t pictures_with_places = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (!is_picture(entry.path())) continue;
     ++pictures;
-    with_both += kept_in(entry.path(), detector).size() == 2 ? 1 : 0;
+    const std::vector<RawPixel> places = kept_in(entry.path(), detector);
+    with_both += places.size() == 2 ? 1 : 0;
+    for (const Balls& balls : kBalls) {
+      if (entry.path().filename() != balls.picture) continue;
+      ++pictures_with_places;
+      EXPECT_TRUE(is_near(places, balls.upper, kOnTheBall_px)) << balls.picture;
+      EXPECT_TRUE(is_near(places, balls.lower, kOnTheBall_px)) << balls.picture;
+    }
   }
   EXPECT_EQ(pictures, 25);
+  EXPECT_EQ(pictures_with_places, kBalls.size());
   EXPECT_GE(with_both, 24);
 }
 
