@@ -203,6 +203,9 @@ void add_figures(std::vector<Figure>& figures, const std::string& row, const Tal
   figures.push_back(figures.empty() ? at_least(found, 0.97) : found);
   figures.push_back(
       {.name = "clutter_false_points" + of_row, .value = false_points / tally.scenes, .unit = "per scene"});
+  figures.push_back({.name = "clutter_ghost_points" + of_row,
+                     .value = static_cast<double>(tally.pairs.ghosts) / tally.scenes,
+                     .unit = "per scene"});
 }
 
 int run(const Options& options) {
