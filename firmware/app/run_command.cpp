@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 #include <pthread.h>
-#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 
 #include <csignal>
+#include <memory>
+#include <mutex>
 
 #include "app/camera_supply.h"
 #include "app/composition.h"
@@ -14,6 +16,7 @@
 #include "app/version.h"
 #include "config/config.h"
 #include "devices/system_clock.h"
+#include "devices/unblocked_output.h"
 
 namespace tripoint {
 namespace {
@@ -32,10 +35,24 @@ void wait_for_stop_signal() {
   sigwait(&signals, &received);
 }
 
+constexpr int kStderr = 2;  // POSIX
+
+/// A log that nobody reads stops nothing.
+class UnblockedSink : public spdlog::sinks::base_sink<std::mutex> {
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    output_.write({line.data(), line.size()});
+  }
+  void flush_() override {}
+
+  UnblockedOutput output_{kStderr};
+};
+
 void log_to_stderr() {
-  spdlog::set_default_logger(spdlog::stderr_logger_mt("tripointd"));
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("tripointd", std::make_shared<UnblockedSink>()));
   spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-  spdlog::flush_on(spdlog::level::info);
 }
 
 }  // namespace

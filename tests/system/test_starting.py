@@ -10,10 +10,24 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from system.daemon import CONFIG, START_S, STOP_S, TIMEOUT_S, Daemon, binary, daemon, finished, renderer, tool
+from system.daemon import (
+    CONFIG,
+    START_S,
+    STOP_S,
+    TIMEOUT_S,
+    Daemon,
+    binary,
+    daemon,
+    finished,
+    free_port,
+    renderer,
+    tool,
+)
 
+from host_tool.appliance.address import Address
 from host_tool.appliance.modbus import ModbusLink, Table
-from host_tool.appliance.unit import open_unit
+from host_tool.appliance.unit import open_unit, wait_until_answering
+from host_tool.clock import MonotonicClock
 from host_tool.errors import DeviceError
 
 STATE = 36
@@ -216,3 +230,24 @@ def test_the_setup_is_told_as_a_plc_sees_it_and_in_hex() -> None:
     setup = re.search(r"setup (\d+) \(0x([0-9A-F]{4})\)", finished("check-config", str(CONFIG)).stdout)
     assert setup is not None
     assert int(setup[1]) == int(setup[2], 16)
+
+
+def test_a_log_that_nobody_reads_stops_nothing() -> None:
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    with suppress(BlockingIOError):
+        while True:
+            os.write(writer, bytes(4096))
+    os.set_blocking(writer, True)
+    port = free_port()
+    command = [binary(), "run", "--config", str(CONFIG), "--set", f"modbus.port={port}"]
+    process = subprocess.Popen(command, stderr=writer)
+    try:
+        wait_until_answering(Address("127.0.0.1", port), TIMEOUT_S, START_S, MonotonicClock())
+        process.terminate()
+        assert process.wait(timeout=10.0 * STOP_S) == 0
+    finally:
+        process.kill()
+        process.wait()
+        os.close(reader)
+        os.close(writer)
