@@ -53,8 +53,8 @@ bool suits(const Look& look) {
 /// One finding of the setting `measuring`.
 class Exposing {
  public:
-  Exposing(const ExposeOptions& options, const Config& config, std::size_t leds)
-      : options_(options), config_(config), leds_(leds) {}
+  Exposing(const ExposeOptions& options, const Config& config, std::size_t leds, const CamerasAt& cameras)
+      : options_(options), config_(config), leds_(leds), cameras_(cameras) {}
 
   int run() {
     Result<ExposureOffer> offered = offer();
@@ -87,10 +87,8 @@ class Exposing {
   }
 
  private:
-  Result<PerSide<OpenCamera>> supply(const Config& config) {
-    if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, Target{}, clock_);
-    const double z_mm = end_ == End::kNear ? config.volume.min_mm.z() : config.volume.max_mm.z();
-    return simulated_cameras_showing(config, clock_, Vec3(0.0, 0.0, z_mm));
+  [[nodiscard]] double z_mm() const {
+    return end_ == End::kNear ? config_.volume.min_mm.z() : config_.volume.max_mm.z();
   }
 
   Result<ExposureOffer> offer() {
@@ -101,7 +99,7 @@ class Exposing {
 
   Result<CameraPair> opened(const ExposureSetting& setting) {
     return CameraPair::open(
-        config_, [this](const Config& wanted) { return supply(wanted); }, setting);
+        config_, [this](const Config& wanted) { return cameras_(wanted, z_mm()); }, setting);
   }
 
   Result<PlaceBounds> at(End end, const ExposureOffer& offered, const ExposureSetting& start) {
@@ -114,14 +112,13 @@ class Exposing {
   /// Asks for the target to be held there, and waits for Enter.
   Result<void> placed_by_operator() {
     if (config_.cameras.source == CameraSource::kSimulation) return {};
-    const double z_mm = end_ == End::kNear ? config_.volume.min_mm.z() : config_.volume.max_mm.z();
     const std::string which =
         step_ <= 2 ? fmt::format("Step {} of 2", step_) : "Once more, because the far end needs a higher gain";
     return asked(
         fmt::format("{}: hold the target at the {} end of the working volume (z = {:.0f} mm), LEDs on and towards the "
                     "cameras; press "
                     "Enter, and keep it still until the next line that asks for something.",
-                    which, name(end_), z_mm));
+                    which, name(end_), z_mm()));
   }
 
   Result<Look> look_at(const ExposureSetting& setting) {
@@ -172,8 +169,8 @@ class Exposing {
 
   const ExposeOptions& options_;
   const Config& config_;
-  SystemClock clock_;
   std::size_t leds_;
+  const CamerasAt& cameras_;
   End end_ = End::kNear;
   int step_ = 0;  ///< times that someone was asked to hold the target
 };
@@ -186,6 +183,11 @@ Result<std::size_t> leds_of_target(const Config& config) {
 }
 
 }  // namespace
+
+int expose_for_measuring(const ExposeOptions& options, const Config& config, std::size_t leds,
+                         const CamerasAt& cameras) {
+  return Exposing(options, config, leds, cameras).run();
+}
 
 int expose_command(const ExposeOptions& options) {
   const Result<Config> config = load_config(options.config, options.overrides);
@@ -200,7 +202,12 @@ int expose_command(const ExposeOptions& options) {
   if (const Result<void> detector = check_detector(*config); !detector) return report(detector.error());
   const Result<std::size_t> leds = leds_of_target(*config);
   if (!leds) return report(leds.error());
-  return Exposing(options, *config, *leds).run();
+  const SystemClock clock;
+  return expose_for_measuring(options, *config, *leds, [&clock](const Config& wanted, double z_mm) {
+    return wanted.cameras.source == CameraSource::kSimulation
+               ? simulated_cameras_showing(wanted, clock, Vec3(0.0, 0.0, z_mm))
+               : camera_supply(wanted, Target{}, clock);
+  });
 }
 
 }  // namespace tripoint
