@@ -34,7 +34,7 @@ Result<Target> points_of(const TargetFile& file) {
   }
   Target target;
   for (const TargetFilePoint& point : file.points) {
-    target.points.push_back({point.id, point.position_mm, point.uncertainty_mm});
+    target.points.push_back({point.id, point.position_mm, point.uncertainty_mm, point.facing});
   }
   if (file.facing) target.facing = *file.facing;
   return target;

@@ -76,6 +76,22 @@ bool determined(const Matrix6& information) {
 
 }  // namespace
 
+std::array<std::size_t, 3> widest_triangle(std::span<const Vec3> points) {
+  std::array<std::size_t, 3> widest{0, 1, 2};
+  double largest = 0.0;
+  for (std::size_t a = 0; a < points.size(); ++a) {
+    for (std::size_t b = a + 1; b < points.size(); ++b) {
+      for (std::size_t c = b + 1; c < points.size(); ++c) {
+        const double area = (points[b] - points[a]).cross(points[c] - points[a]).norm();
+        if (area <= largest) continue;
+        largest = area;
+        widest = {a, b, c};
+      }
+    }
+  }
+  return widest;
+}
+
 Isometry3 three_point_frame(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
   Isometry3 frame = Isometry3::Identity();
   const Vec3 middle = 0.5 * (p1 + p2);

@@ -1,6 +1,8 @@
 // The place and attitude of a rigid body from both pictures of its points.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "geometry/rig.h"
@@ -32,6 +34,11 @@ struct RigidFit {
 ///
 /// Source: the paper's Eq. 11 to 13, with y across x and the line from the third point to the origin.
 Isometry3 three_point_frame(const Vec3& p1, const Vec3& p2, const Vec3& p3);
+
+/// Which three of the points make the triangle of the largest area, in the order of the points.
+///
+/// @param points three or more
+std::array<std::size_t, 3> widest_triangle(std::span<const Vec3> points);
 
 /// Turns and moves by a small step of PoseParameters.
 Isometry3 moved(const Isometry3& pose, const PoseParameters& step);

@@ -18,7 +18,8 @@ enum class Method : std::uint8_t { kMaximumLikelihood, kPaper };
 struct TargetPoint {
   int id = 1;
   Vec3 in_target_mm = Vec3::Zero();
-  double uncertainty_mm = 0.05;  ///< k = 2
+  double uncertainty_mm = 0.05;               ///< k = 2
+  std::optional<Vec3> facing = std::nullopt;  ///< unit length, where this one shines another way than the target
 };
 struct Target {
   FixedVector<TargetPoint, kMaxTargetPoints> points;

@@ -1,7 +1,7 @@
 #include "sim/target_view.h"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -9,6 +9,7 @@
 namespace tripoint {
 namespace {
 
+constexpr std::uint64_t kOfNoise = 0x9e3779b97f4a7c15;  // so that noise is drawn apart from the scene
 constexpr double kMargin_px = 6.0;
 constexpr double kLeastToMirror_mm = 5.0;  // an LED has a housing
 const Vec3 kFastest_mm_per_s{300.0, 300.0, 300.0};
@@ -173,7 +174,7 @@ TargetView target_view(const Rig& rig, std::span<const Vec3> leds_mm, const View
                        double at_s) {
   Draws draws(seed);
   Draws motion(~seed);
-  Draws noise(seed + std::hash<double>{}(at_s));
+  Draws noise(seed + kOfNoise + static_cast<std::uint64_t>(std::llround(1e9 * at_s)));
   const Isometry3 pose = pose_in_sight(draws, rig, leds_mm, settings);
   const Target first = target_at(pose, leds_mm);
   const Isometry3 pose_now = moved_on(pose, motion, at_s);

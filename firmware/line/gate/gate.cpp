@@ -6,6 +6,8 @@
 namespace tripoint {
 namespace {
 
+constexpr double kRotationError = 1e-6;  // double precision leaves 1e-15; NaN fails too
+
 Faults faults_of_model(const LineModel& model) {
   Faults faults;
   if (!model.calibrated) faults.insert(Fault::kNoCalibration);
@@ -28,9 +30,16 @@ Faults faults_of_fit(const Fit& fit, const LineModel& model) {
 
 bool has_positive_diagonal(const Matrix3& covariance) { return (covariance.diagonal().array() > 0.0).all(); }
 
+bool is_rotation(const Matrix3& matrix) {
+  return (matrix * matrix.transpose() - Matrix3::Identity()).norm() < kRotationError && matrix.determinant() > 0.0;
+}
+
 bool is_whole(const TargetPose& pose) {
-  return pose.position_in_output_mm.allFinite() && pose.output_from_target.value_or(Matrix3::Identity()).allFinite() &&
-         pose.noise.allFinite() && pose.shared.allFinite() && has_positive_diagonal(pose.noise.topLeftCorner<3, 3>());
+  const bool positioned = pose.position_in_output_mm.allFinite() && pose.noise.allFinite() && pose.shared.allFinite() &&
+                          has_positive_diagonal(pose.noise.topLeftCorner<3, 3>());
+  if (!pose.output_from_target) return positioned;
+  return positioned && is_rotation(*pose.output_from_target) &&
+         has_positive_diagonal(pose.noise.bottomRightCorner<3, 3>());
 }
 
 bool is_whole(const MeasuredPoint& point) {

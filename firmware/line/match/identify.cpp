@@ -11,9 +11,10 @@
 namespace tripoint {
 namespace {
 
-constexpr double kLengthSigmas = 5.0;
 constexpr int kMostTries = 100'000;  // far more than twelve spots in a plane of epipolar lines need
-constexpr int kSteps = 3;            // of the rigid motion, from a frame that three of the points give
+constexpr int kMostJudged = 300;     // orders whose chi-square is found: more than 100 are seen with coarse spots alone
+constexpr std::size_t kMostAway = 32;
+constexpr int kSteps = 3;  // of the rigid motion, from a frame that three of the points give
 
 // Upper 1e-3 quantiles of chi-square with 4 n - 6 degrees of freedom, n = 3 to 12.
 constexpr std::array<double, 10> kMostChi2{22.458, 29.588, 36.123, 42.312, 48.268,
@@ -30,7 +31,11 @@ double sigma_of(const TargetPoint& point) { return point.uncertainty_mm / 2.0; }
 class Search {
  public:
   Search(std::span<const PlacedPair> pairs, const LineModel& model)
-      : pairs_(pairs), model_(model), points_(model.target.points) {
+      : pairs_(pairs),
+        model_(model),
+        points_(model.target.points),
+        most_chi2_(kMostChi2[points_.size() - 3]),
+        length_sigmas_(std::sqrt(most_chi2_ + kRunnerUpWorse)) {
     for (const PlacedPair& pair : pairs) {
       shared_mm2_.push_back(pair.place_by_calibration * model.covariance * pair.place_by_calibration.transpose());
     }
@@ -39,14 +44,18 @@ class Search {
 
   Identification result() {
     if (pairs_.size() >= points_.size()) try_point(0);
-    if (tries_ > kMostTries) return {IdentityVerdict::kAmbiguous, {}};
-    const double most = kMostChi2[points_.size() - 3];
-    if (best_.chi2 > most) return {away_.chi2 <= most ? IdentityVerdict::kFacesAway : IdentityVerdict::kNone, {}};
-    if (second_chi2_ - best_.chi2 < kRunnerUpWorse) return {IdentityVerdict::kAmbiguous, {}};
-    // The best may be the image in a mirror in a wrong order. Another image, beside the target, does no harm.
-    if (away_.chi2 - best_.chi2 < kRunnerUpWorse && share_a_spot(away_, best_)) {
-      return {IdentityVerdict::kAmbiguous, {}};
+    if (given_up()) return {IdentityVerdict::kAmbiguous, {}};
+    if (best_.chi2 > most_chi2_) {
+      const auto fits = [&](const Identity& away) { return away.chi2 <= most_chi2_; };
+      const bool faces_away = std::any_of(away_.begin(), away_.end(), fits);
+      return {faces_away ? IdentityVerdict::kFacesAway : IdentityVerdict::kNone, {}};
     }
+    if (second_chi2_ - best_.chi2 < kRunnerUpWorse) return {IdentityVerdict::kAmbiguous, {}};
+    // The best may be an image in a mirror in a wrong order. Another image, beside the target, does no harm.
+    const auto rivals = [&](const Identity& away) {
+      return away.chi2 - best_.chi2 < kRunnerUpWorse && share_a_spot(away, best_);
+    };
+    if (std::any_of(away_.begin(), away_.end(), rivals)) return {IdentityVerdict::kAmbiguous, {}};
     const auto believed = [&](std::size_t pair) { return pairs_[pair].alike; };
     if (!std::all_of(best_.pair_of_point.begin(), best_.pair_of_point.end(), believed)) {
       return {IdentityVerdict::kNone, {}};
@@ -57,29 +66,23 @@ class Search {
  private:
   /// The widest triangle first: it says best how the target is turned.
   void order_points() {
-    for (std::size_t i = 0; i < points_.size(); ++i) order_.push_back(i);
-    double widest = 0.0;
-    std::array<std::size_t, 3> first{0, 1, 2};
-    for (std::size_t a = 0; a < points_.size(); ++a) {
-      for (std::size_t b = a + 1; b < points_.size(); ++b) {
-        for (std::size_t c = b + 1; c < points_.size(); ++c) {
-          const Vec3 ab = points_[b].in_target_mm - points_[a].in_target_mm;
-          const double area = ab.cross(points_[c].in_target_mm - points_[a].in_target_mm).norm();
-          if (area <= widest) continue;
-          widest = area;
-          first = {a, b, c};
-        }
-      }
+    FixedVector<Vec3, kMaxTargetPoints> places_mm;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      order_.push_back(i);
+      places_mm.push_back(points_[i].in_target_mm);
     }
+    const std::array<std::size_t, 3> first = widest_triangle({places_mm.begin(), places_mm.size()});
     for (std::size_t k = 0; k < 3; ++k) std::swap(order_[k], order_[index_in_order(first[k])]);
   }
   [[nodiscard]] std::size_t index_in_order(std::size_t point) const {
     return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), point) - order_.begin());
   }
 
+  [[nodiscard]] bool given_up() const { return tries_ > kMostTries || judged_ > kMostJudged || away_.full(); }
+
   void try_point(std::size_t depth) {
     if (depth == points_.size()) return judge();
-    for (std::size_t pair = 0; pair < pairs_.size() && tries_ <= kMostTries; ++pair) {
+    for (std::size_t pair = 0; pair < pairs_.size() && !given_up(); ++pair) {
       ++tries_;
       if (!may_be(depth, pair)) continue;
       chosen_.push_back(pair);
@@ -111,17 +114,18 @@ class Search {
     const double target = std::hypot(sigma_of(points_[point_a]), sigma_of(points_[point_b]));
     const double sigma_mm = std::sqrt(along.dot(spread * along) + target * target);
     const double expected_mm = (points_[point_a].in_target_mm - points_[point_b].in_target_mm).norm();
-    return std::abs(length_mm - expected_mm) <= kLengthSigmas * sigma_mm;
+    return std::abs(length_mm - expected_mm) <= length_sigmas_ * sigma_mm;
   }
 
   void judge() {
+    ++judged_;
     Identity identity;
     for (std::size_t i = 0; i < points_.size(); ++i) identity.pair_of_point.push_back(chosen_[index_in_order(i)]);
     Isometry3 pose = start(identity);
     identity.chi2 = chi2(identity, pose);
     if (!std::isfinite(identity.chi2)) return;
     if (!shines_into_both(pose)) {
-      if (identity.chi2 < away_.chi2) away_ = identity;
+      if (identity.chi2 <= most_chi2_ + kRunnerUpWorse) away_.push_back(identity);
       return;
     }
     if (identity.chi2 < best_.chi2) {
@@ -149,14 +153,8 @@ class Search {
   /// Covariance of all places and epipolar distances: three rows for each place, then one for each distance.
   [[nodiscard]] StackMatrix covariance(const Identity& identity) const {
     const auto count = static_cast<Eigen::Index>(points_.size());
-    StackByCalibration by_calibration(4 * count, 24);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const PlacedPair& pair = pairs_[identity.pair_of_point[static_cast<std::size_t>(i)]];
-      by_calibration.middleRows<3>(3 * i) = pair.place_by_calibration;
-      by_calibration.row(3 * count + i) = pair.epipolar_by_calibration.transpose();
-    }
-    const StackByCalibration spread = by_calibration.lazyProduct(model_.covariance);
-    StackMatrix whole = spread.lazyProduct(by_calibration.transpose());
+    StackMatrix whole = StackMatrix::Zero(4 * count, 4 * count);
+    if (!model_.covariance.isZero(0.0)) add_calibration(whole, identity);
     for (Eigen::Index i = 0; i < count; ++i) {
       const PlacedPair& pair = pairs_[identity.pair_of_point[static_cast<std::size_t>(i)]];
       const double sigma_mm = sigma_of(points_[static_cast<std::size_t>(i)]);
@@ -164,6 +162,18 @@ class Search {
       whole(3 * count + i, 3 * count + i) += pair.epipolar_variance_px2;
     }
     return whole;
+  }
+
+  void add_calibration(StackMatrix& whole, const Identity& identity) const {
+    const auto count = static_cast<Eigen::Index>(points_.size());
+    StackByCalibration by_calibration(4 * count, 24);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const PlacedPair& pair = pairs_[identity.pair_of_point[static_cast<std::size_t>(i)]];
+      by_calibration.middleRows<3>(3 * i) = pair.place_by_calibration;
+      by_calibration.row(3 * count + i) = pair.epipolar_by_calibration.transpose();
+    }
+    const StackByCalibration spread = by_calibration.lazyProduct(model_.covariance);
+    whole += spread.lazyProduct(by_calibration.transpose());
   }
 
   /// Least chi-square over all poses, from one nearby, which becomes the best; infinite when there is none.
@@ -195,12 +205,15 @@ class Search {
     return best;
   }
 
+  /// Every LED into both lenses.
   [[nodiscard]] bool shines_into_both(const Isometry3& rig_from_target) const {
-    const Vec3 shines = rig_from_target.linear() * model_.target.facing;
-    return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
-      const Vec3 lens = model_.rig.camera_from_rig[side].inverse().translation();
-      const Vec3 to_lens = (lens - rig_from_target.translation()).normalized();
-      return shines.dot(to_lens) > std::cos(kMostFacing_rad);
+    return std::all_of(points_.begin(), points_.end(), [&](const TargetPoint& point) {
+      const Vec3 shines = rig_from_target.linear() * point.facing.value_or(model_.target.facing);
+      const Vec3 led_mm = rig_from_target * point.in_target_mm;
+      return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+        const Vec3 lens_mm = model_.rig.camera_from_rig[side].inverse().translation();
+        return shines.dot((lens_mm - led_mm).normalized()) > std::cos(kMostFacing_rad);
+      });
     });
   }
 
@@ -212,8 +225,11 @@ class Search {
   FixedVector<std::size_t, kMaxTargetPoints> chosen_;  // pairs, in that order
   Identity best_{{}, std::numeric_limits<double>::infinity()};
   double second_chi2_ = std::numeric_limits<double>::infinity();
-  Identity away_{{}, std::numeric_limits<double>::infinity()};  // the best of those that shine away
+  FixedVector<Identity, kMostAway> away_;  // those that shine away, as far as they may stand beside the best
+  double most_chi2_;
+  double length_sigmas_;  // a rival that would make the best ambiguous is still tried
   int tries_ = 0;
+  int judged_ = 0;
 };
 
 }  // namespace

@@ -27,13 +27,13 @@ struct Pairs {
 };
 
 /// Pairs within the epipolar gate and the depth range of the working volume. LEDs that are known by their blinking pair
-/// with themselves alone. Otherwise a single point is identified when there is exactly one possible pair. Targets with
-/// more points stay ambiguous.
+/// with themselves alone. Otherwise a single point is identified when there is exactly one possible pair, and three or
+/// more as `identify` says; two stay ambiguous.
 ///
 /// @return kNotSeenLeft/Right  no spot there;  kEpipolarGate  spots on both sides, none belong together
 ///         kOutsideVolume      a pair, but not at a depth of the volume
-///         kGeometryGate       a pair whose rays do not meet in front of both cameras
-///         kAmbiguous          a spot with two partners, more spots than can be matched, a target of several points
+///         kGeometryGate       a pair whose rays do not meet in front of both cameras, or no order that is the target
+///         kAmbiguous          a spot with two partners, more spots than can be matched, no identity that is unique
 Pairs match(const Aligned& seen, const LineModel& model);
 
 }  // namespace tripoint

@@ -1,5 +1,6 @@
 #include "line/monitor/confirmation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tripoint {
@@ -13,7 +14,10 @@ double noise(const TargetPose& pose, int corner) { return std::sqrt(pose.noise.b
 }  // namespace
 
 Measurement Confirmation::judged(Measurement measurement) {
-  if (!measurement.pose || !measurement.pose->output_from_target) return measurement;
+  if (!measurement.pose || !measurement.pose->output_from_target) {
+    if (measurement.common_time) last_.reset();
+    return measurement;
+  }
   const Seen now{measurement.exposed, *measurement.pose};
   const bool believed = (last_ && agree(*last_, now)) || (last_believed_ && agree(*last_believed_, now));
   last_ = now;
@@ -21,6 +25,7 @@ Measurement Confirmation::judged(Measurement measurement) {
     last_believed_ = now;
   } else {
     measurement.pose.reset();
+    for (MeasuredPoint& point : measurement.points) point.id = 0;
     measurement.faults.insert(Fault::kAmbiguous);
   }
   return measurement;
@@ -37,8 +42,10 @@ bool Confirmation::agree(const Seen& before, const Seen& now) {
   const double moved_mm = (now.pose.position_in_output_mm - before.pose.position_in_output_mm).norm();
   const double turned_rad =
       Eigen::AngleAxisd(now.pose.output_from_target.value() * before.pose.output_from_target->transpose()).angle();
-  return moved_mm <= kFastest_mm_per_s * passed_s + kSigmas * (noise(before.pose, 0) + noise(now.pose, 0)) &&
-         turned_rad <= kFastestTurn_rad_per_s * passed_s + kSigmas * (noise(before.pose, 3) + noise(now.pose, 3));
+  const double may_move_mm = kFastest_mm_per_s * passed_s + kSigmas * (noise(before.pose, 0) + noise(now.pose, 0));
+  const double may_turn_rad =
+      kFastestTurn_rad_per_s * passed_s + kSigmas * (noise(before.pose, 3) + noise(now.pose, 3));
+  return moved_mm <= std::min(may_move_mm, kFarthest_mm) && turned_rad <= std::min(may_turn_rad, kFarthestTurn_rad);
 }
 
 }  // namespace tripoint

@@ -1,5 +1,7 @@
 #include "line/pose/body_pose.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -11,6 +13,7 @@
 namespace tripoint {
 namespace {
 
+constexpr double kMostOff = 64.0;        // chi-square of one point: 8 deviations of its place and the pose's together
 constexpr double kDifference_mm = 1e-3;  // of a central difference: second order below 1e-9 at 50 mm
 
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
@@ -25,14 +28,28 @@ struct Estimate {
 
 double sigma_of(const TargetPoint& point) { return point.uncertainty_mm / 2.0; }
 
-Isometry3 by_three_points(const std::array<Vec3, 3>& seen, std::span<const LocatedPoint> points) {
-  const Isometry3 made =
-      three_point_frame(points[0].of.in_target_mm, points[1].of.in_target_mm, points[2].of.in_target_mm);
-  return three_point_frame(seen[0], seen[1], seen[2]) * made.inverse();
+/// The points of the widest triangle: it says best how the target is turned.
+std::array<std::size_t, 3> widest_of(std::span<const LocatedPoint> points) {
+  FixedVector<Vec3, kMaxTargetPoints> made_mm;
+  for (const LocatedPoint& point : points) made_mm.push_back(point.of.in_target_mm);
+  return widest_triangle({made_mm.begin(), made_mm.size()});
 }
 
-std::array<Vec3, 3> first_three(std::span<const LocatedPoint> points) {
-  return {points[0].place.in_rig_mm, points[1].place.in_rig_mm, points[2].place.in_rig_mm};
+struct Triangle {
+  std::array<std::size_t, 3> index{0, 1, 2};
+  Isometry3 target_from_frame = Isometry3::Identity();
+  std::array<Vec3, 3> seen_mm;
+};
+
+Triangle triangle_of(std::span<const LocatedPoint> points) {
+  const std::array<std::size_t, 3> index = widest_of(points);
+  const auto made = [&](std::size_t k) { return points[index[k]].of.in_target_mm; };
+  const auto seen = [&](std::size_t k) { return points[index[k]].place.in_rig_mm; };
+  return {index, three_point_frame(made(0), made(1), made(2)), {seen(0), seen(1), seen(2)}};
+}
+
+Isometry3 by_three_points(const Triangle& triangle, const std::array<Vec3, 3>& seen_mm) {
+  return three_point_frame(seen_mm[0], seen_mm[1], seen_mm[2]) * triangle.target_from_frame.inverse();
 }
 
 PoseParameters step_between(const Isometry3& from, const Isometry3& to) {
@@ -42,24 +59,25 @@ PoseParameters step_between(const Isometry3& from, const Isometry3& to) {
   return step;
 }
 
-/// The frame of the first three points; what follows is by central differences.
+/// The frame of three points; how it follows them is by central differences.
 Estimate by_paper(std::span<const LocatedPoint> points) {
   Estimate estimate;
-  const std::array<Vec3, 3> seen = first_three(points);
-  estimate.rig_from_target = by_three_points(seen, points);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Matrix63 gain = Matrix63::Zero();
-    for (int axis = 0; i < 3 && axis < 3; ++axis) {
-      std::array<Vec3, 3> before = seen;
-      std::array<Vec3, 3> after = seen;
-      before[i][axis] -= kDifference_mm;
-      after[i][axis] += kDifference_mm;
+  const Triangle triangle = triangle_of(points);
+  estimate.rig_from_target = by_three_points(triangle, triangle.seen_mm);
+  for (std::size_t i = 0; i < points.size(); ++i) estimate.gains.push_back(Matrix63::Zero());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const LocatedPoint& point = points[triangle.index[k]];
+    Matrix63& gain = estimate.gains[triangle.index[k]];
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<Vec3, 3> before = triangle.seen_mm;
+      std::array<Vec3, 3> after = triangle.seen_mm;
+      before[k][axis] -= kDifference_mm;
+      after[k][axis] += kDifference_mm;
       gain.col(axis) =
-          step_between(by_three_points(before, points), by_three_points(after, points)) / (2.0 * kDifference_mm);
+          step_between(by_three_points(triangle, before), by_three_points(triangle, after)) / (2.0 * kDifference_mm);
     }
-    const Matrix3 spread = points[i].place.covariance_mm2 + std::pow(sigma_of(points[i].of), 2) * Matrix3::Identity();
+    const Matrix3 spread = point.place.covariance_mm2 + std::pow(sigma_of(point.of), 2) * Matrix3::Identity();
     estimate.noise += gain * spread * gain.transpose();
-    estimate.gains.push_back(gain);
   }
   return estimate;
 }
@@ -79,7 +97,8 @@ Gains gains_of_fit(std::span<const LocatedPoint> points, const RigidFit& fit) {
 Result<Estimate> by_fit(std::span<const LocatedPoint> points, const LineModel& model) {
   FixedVector<BodyPoint, kMaxTargetPoints> body;
   for (const LocatedPoint& point : points) body.push_back({point.of.in_target_mm, sigma_of(point.of), point.pixels});
-  const Isometry3 start = by_three_points(first_three(points), points);
+  const Triangle triangle = triangle_of(points);
+  const Isometry3 start = by_three_points(triangle, triangle.seen_mm);
   const Result<RigidFit> fit = rigid_fit(model.rig, {body.begin(), body.size()}, start);
   if (!fit) return tl::make_unexpected(fit.error());
   return Estimate{fit->rig_from_body, fit->covariance, gains_of_fit(points, *fit)};
@@ -92,6 +111,20 @@ Eigen::Matrix<double, 6, kColumns> moved_together(std::span<const LocatedPoint> 
   Eigen::Matrix<double, 6, kColumns> sum = Eigen::Matrix<double, 6, kColumns>::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) sum += gains[i].lazyProduct(moved(points[i]));
   return sum;
+}
+
+/// Whether every point of the target, put where the pose says, lies where it was seen: no fit that has gone astray.
+bool holds(const Estimate& estimate, std::span<const LocatedPoint> points, const LineModel& model) {
+  return std::all_of(points.begin(), points.end(), [&](const LocatedPoint& point) {
+    const Vec3 error_mm = point.place.in_rig_mm - estimate.rig_from_target * point.of.in_target_mm;
+    Eigen::Matrix<double, 3, 6> slope;
+    slope << Matrix3::Identity(), -cross_matrix(estimate.rig_from_target.linear() * point.of.in_target_mm);
+    const Eigen::Matrix<double, 3, 24> shared = point.place_by_calibration.lazyProduct(model.covariance);
+    const Matrix3 spread = point.place.covariance_mm2 + std::pow(sigma_of(point.of), 2) * Matrix3::Identity() +
+                           shared.lazyProduct(point.place_by_calibration.transpose()) +
+                           slope * estimate.noise * slope.transpose();
+    return error_mm.dot(Eigen::LLT<Matrix3>(spread).solve(error_mm)) <= kMostOff;
+  });
 }
 
 Matrix6 turned(const Matrix6& covariance, const Matrix3& rotation) {
@@ -116,6 +149,7 @@ Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineMo
   const Result<Estimate> estimate =
       model.method == Method::kPaper ? Result<Estimate>(by_paper(points)) : by_fit(points, model);
   if (!estimate) return tl::make_unexpected(estimate.error());
+  if (!holds(*estimate, points, model)) return failure(ErrorCode::kNoConvergence);
   const auto by_calibration =
       moved_together<24>(points, estimate->gains, [](const LocatedPoint& point) { return point.place_by_calibration; });
   const auto by_clocks =

@@ -28,14 +28,15 @@ struct BodyPose {
   std::optional<double> uncorrected_cost_mm;
 };
 
-/// By maximum likelihood the rigid fit of all points' pixels; by the paper's method the frame of the first three.
+/// By maximum likelihood the rigid fit of all points' pixels; by the paper's method the frame of the
+/// three that make the widest triangle.
 ///
 /// The clocks' error is one for all points, so what it moves them by (`moved_by_clocks_mm`, standard deviations along
 /// two directions of each picture, each column of the same sign in all points) adds up, whereas the noise does not.
 /// The calibration's part is of first order: how the pose follows its points, and they the parameters.
 ///
 /// @param points three or more, not on a line
-/// @return as rigid_fit
+/// @return as rigid_fit; kNoConvergence also when a point lies elsewhere than the pose says
 Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model);
 
 }  // namespace tripoint

@@ -110,6 +110,7 @@ using LocatedPoints = FixedVector<LocatedPoint, kMaxTargetPoints>;
 Result<std::optional<BodyPose>> body_pose(const LocatedPoints& identified, const LineModel& model) {
   if (identified.empty() || identified.size() != model.target.points.size()) return std::optional<BodyPose>{};
   if (identified.size() == 1) return std::optional<BodyPose>{position_only(identified[0], model)};
+  if (identified.size() == 2) return std::optional<BodyPose>{};
   const Result<BodyPose> pose = pose_of_body({identified.begin(), identified.size()}, model);
   if (!pose) return tl::make_unexpected(pose.error());
   return std::optional<BodyPose>{*pose};

@@ -46,6 +46,18 @@ TEST_F(GateTest, APoseWithoutFaultsPasses) {
   EXPECT_TRUE(measurement.warnings.empty());
 }
 
+TEST_F(GateTest, WhatIsNoRotationIsAnInternalFault) {
+  fit.pose->output_from_target = Matrix3(Eigen::AngleAxisd(2.0, Vec3(1.0, 2.0, 3.0).normalized()));
+  EXPECT_TRUE(passed().pose);
+  const Matrix3 mirrored = Vec3(1.0, 1.0, -1.0).asDiagonal();
+  const Matrix3 flat = Vec3(1.0, 0.0, 0.0).asDiagonal();
+  for (const Matrix3& wrong : {mirrored, flat, Matrix3(1.001 * Matrix3::Identity()), Matrix3(kNone * mirrored)}) {
+    fit.pose->output_from_target = wrong;
+    EXPECT_EQ(passed().faults, Faults{Fault::kInternal});
+    EXPECT_FALSE(passed().pose);
+  }
+}
+
 TEST_F(GateTest, WhatTimeDidGoesOnToTheRegistersAndTheLatch) {
   seen.skew_s = 0.007;
   seen.offset_sigma_s = 0.0001;

@@ -105,6 +105,26 @@ TEST_F(IdentifyPairsTest, WhatShinesAwayIsToldFromWhatIsNotThere) {
   EXPECT_EQ(verdict(placed({})), IdentityVerdict::kNone);
 }
 
+TEST_F(IdentifyPairsTest, WhereTheLedsAreDecidesWhetherTheyShineIntoTheCameras) {
+  // The origin is so far behind the LEDs that the image in a mirror has its own behind the cameras.
+  for (TargetPoint& point : model.target.points) point.in_target_mm.z() = 500.0;
+  EXPECT_EQ(verdict(placed(facing)), IdentityVerdict::kUnique);
+  EXPECT_EQ(verdict(placed(away)), IdentityVerdict::kFacesAway);
+}
+
+TEST_F(IdentifyPairsTest, AnLedThatShinesAnotherWayIsJudgedByItsOwn) {
+  model.target.points[1].facing = -Vec3::UnitZ();
+  EXPECT_EQ(verdict(placed(facing)), IdentityVerdict::kFacesAway);
+}
+
+TEST_F(IdentifyPairsTest, ManyLightsThatMightBeTheTargetAreAmbiguousInBoundedTime) {
+  std::vector<Vec3> crowd;
+  for (int i = 0; i < 144; ++i) crowd.emplace_back(2.0 * i - 144.0, 40.0 * (i % 2), 400.0 + i % 5);
+  auto pairs = placed(crowd);
+  for (PlacedPair& pair : pairs) pair.covariance_mm2 = 25.0 * Matrix3::Identity();
+  EXPECT_EQ(verdict(pairs), IdentityVerdict::kAmbiguous);
+}
+
 TEST_F(IdentifyPairsTest, TwoOrdersThatFitAreAmbiguous) {
   auto both = facing;
   both.emplace_back(64.03, -48.03, 400.3);  // another light beside an LED

@@ -54,12 +54,48 @@ TEST(ConfirmationTest, ATargetThatMovesFastIsFollowed) {
 TEST(ConfirmationTest, WhatNoiseExplainsIsNoContradiction) {
   Confirmation confirmation;
   (void)confirmation.judged(seen(0, kPlace));
-  Measurement noisy = seen(1, kPlace + Vec3(60.0, 0.0, 0.0));
+  Measurement noisy = seen(1, kPlace + Vec3(45.0, 0.0, 0.0));
   EXPECT_FALSE(believed(confirmation, noisy));
   (void)confirmation.judged(seen(2, kPlace));
-  noisy = seen(3, kPlace + Vec3(60.0, 0.0, 0.0));
+  noisy = seen(3, kPlace + Vec3(45.0, 0.0, 0.0));
   noisy.pose->noise(0, 0) = 10.0 * 10.0;
   EXPECT_TRUE(believed(confirmation, noisy));
+}
+
+TEST(ConfirmationTest, NoAbsenceAndNoNoiseAllowAnyPose) {
+  Confirmation confirmation;
+  for (int i = 0; i < 3; ++i) (void)confirmation.judged(seen(i, kPlace));
+  EXPECT_FALSE(believed(confirmation, seen(14, kPlace + Vec3(60.0, 0.0, 0.0)))) << "0.2 s at 2 m/s would be 400 mm";
+  EXPECT_FALSE(believed(confirmation, seen(15, kPlace, 0.4)));
+  Measurement noisy = seen(16, kPlace + Vec3(60.0, 0.0, 0.0));
+  noisy.pose->noise(0, 0) = 100.0 * 100.0;
+  EXPECT_FALSE(believed(confirmation, noisy));
+  EXPECT_TRUE(believed(confirmation, seen(17, kPlace + Vec3(10.0, 0.0, 0.0)))) << "as the last that was believed";
+}
+
+TEST(ConfirmationTest, OnlyTheVerdictJustBeforeConfirmsWhatNobodyBelieved) {
+  Confirmation confirmation;
+  (void)confirmation.judged(seen(0, kPlace));
+  Measurement without = seen(1, kPlace);
+  without.pose.reset();
+  without.common_time = true;
+  (void)confirmation.judged(without);
+  EXPECT_FALSE(believed(confirmation, seen(2, kPlace)));
+  without.common_time = false;  // a camera's silence is no verdict on the target
+  without.exposed = seen(3, kPlace).exposed;
+  (void)confirmation.judged(without);
+  EXPECT_TRUE(believed(confirmation, seen(4, kPlace)));
+}
+
+TEST(ConfirmationTest, PointsOfAPoseThatNothingConfirmsHaveNoIdentity) {
+  Confirmation confirmation;
+  for (const int expected : {0, 7}) {
+    Measurement measurement = seen(expected, kPlace);
+    MeasuredPoint point;
+    point.id = 7;
+    measurement.points.push_back(point);
+    EXPECT_EQ(confirmation.judged(measurement).points[0].id, expected);
+  }
 }
 
 TEST(ConfirmationTest, AfterALongAbsenceTheFirstIsAFirstAgain) {

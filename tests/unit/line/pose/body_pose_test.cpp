@@ -29,12 +29,12 @@ Isometry3 pose_at(const Vec3& place_mm) {
 }
 const Isometry3 kPose = pose_at({20.0, -15.0, 420.0});
 
-LineModel model_by(Method method) {
+LineModel model_by(Method method, const std::vector<Vec3>& leds_mm = kTriangle) {
   LineModel model = testing::webcam_model();
   model.method = method;
   model.target.points.clear();
-  for (std::size_t i = 0; i < kTriangle.size(); ++i) {
-    model.target.points.push_back({static_cast<int>(i) + 1, kTriangle[i], 0.0});
+  for (std::size_t i = 0; i < leds_mm.size(); ++i) {
+    model.target.points.push_back({static_cast<int>(i) + 1, leds_mm[i], 0.0});
   }
   return model;
 }
@@ -58,6 +58,16 @@ Fit fit_of(const LineModel& model, const Pairs& pairs) {
   seen.common_time = true;
   seen.skew_s = 0.005;
   return pose_of_target(seen, pairs, model);
+}
+
+Pairs blurred(Pairs pairs, Noise& noise) {
+  for (Pair& pair : pairs.pairs) {
+    for (const Side side : kBothSides) {
+      pair.points[side].seen.at.u_px += kSigma_px * noise.normal();
+      pair.points[side].seen.at.v_px += kSigma_px * noise.normal();
+    }
+  }
+  return pairs;
 }
 
 PoseParameters difference(const Isometry3& from, const TargetPose& to) {
@@ -87,16 +97,42 @@ TEST_P(BodyPoseTest, NoisyPicturesScatterThePoseAsItsCovarianceSays) {
   Noise noise{31};
   Spread<6> spread;
   for (int run = 0; run < 10'000; ++run) {
-    Pairs pairs = exact;
-    for (Pair& pair : pairs.pairs) {
-      for (const Side side : kBothSides) {
-        pair.points[side].seen.at.u_px += kSigma_px * noise.normal();
-        pair.points[side].seen.at.v_px += kSigma_px * noise.normal();
-      }
-    }
-    spread.add(difference(model.output_from_rig * kPose, fit_of(model, pairs).pose.value()));
+    spread.add(difference(model.output_from_rig * kPose, fit_of(model, blurred(exact, noise)).pose.value()));
   }
   EXPECT_LT(relative_difference<6>(spread.covariance(), fit_of(model, exact).pose->noise), 0.08);
+}
+
+// In their order in the file the first three say nothing about a turn around the line they lie on.
+TEST_P(BodyPoseTest, ItDoesNotMatterThatTheFirstThreeLieNearlyOnALine) {
+  for (const double off_line_mm : {0.0, 0.2, 1.0}) {
+    const LineModel model =
+        model_by(GetParam(), {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {50.0, off_line_mm, 0.0}, {60.0, 50.0, 0.0}});
+    const Pairs exact = pairs_of(model, kPose);
+    Noise noise{5};
+    for (int run = 0; run < 500; ++run) {
+      const Fit fit = fit_of(model, blurred(exact, noise));
+      ASSERT_TRUE(fit.pose);
+      EXPECT_LT(difference(kPose, *fit.pose).tail<3>().norm(), 0.1);
+    }
+  }
+}
+
+TEST_P(BodyPoseTest, APointThatLiesElsewhereThanThePoseSaysIsRefused) {
+  const LineModel model =
+      model_by(GetParam(), {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}, {64.0, 48.0, 0.0}, {50.0, 20.0, 40.0}});
+  LineModel elsewhere = model;
+  elsewhere.target.points[3].in_target_mm.z() = -40.0;
+  const Fit fit = fit_of(model, pairs_of(elsewhere, kPose));
+  EXPECT_FALSE(fit.pose);
+  EXPECT_EQ(fit.faults, Faults{Fault::kGeometryGate});
+}
+
+TEST_P(BodyPoseTest, TwoIdentifiedPointsAreNoPoseAndNoFault) {
+  const LineModel model = model_by(GetParam(), {{0.0, 0.0, 0.0}, {100.0, 0.0, 0.0}});
+  const Fit fit = fit_of(model, pairs_of(model, kPose));
+  EXPECT_FALSE(fit.pose);
+  EXPECT_TRUE(fit.faults.empty());
+  EXPECT_EQ(fit.points.size(), 2U);
 }
 
 TEST_P(BodyPoseTest, ACalibrationErrorMovesThePoseAsItsCovarianceSays) {
