@@ -10,14 +10,16 @@ from register_map.check import problems
 from register_map.header import header
 from register_map.model import MapError, RegisterMap, load
 from register_map.page import page
+from register_map.structured_text import SECTIONS, outdated, with_constants
 
 ROOT = Path(__file__).resolve().parents[1]
 MAP = ROOT / "firmware" / "contract" / "registers.toml"
 PAGE = ROOT / "docs" / "reference" / "registers.md"
+PLC = ROOT / "deploy" / "plc"
 USAGE = """usage: python3 cmake/registers.py VERB
   header FILE   write the C++ header
-  docs          write docs/reference/registers.md
-  check         the map is sound and the page up to date"""
+  docs          write docs/reference/registers.md and the constants in deploy/plc
+  check         the map is sound, the page and the constants up to date"""
 
 
 def run(arguments: list[str]) -> int:
@@ -26,9 +28,9 @@ def run(arguments: list[str]) -> int:
         case ["header", target]:
             return _write(Path(target), header)
         case ["docs"]:
-            return _write(PAGE, page)
+            return _write(PAGE, page) or _say(_write_constants())
         case ["check"]:
-            return _say(verdict(MAP, PAGE))
+            return _say(verdict(MAP, PAGE) + plc_verdict(MAP, PLC))
         case _:
             print(USAGE, file=sys.stderr)
             return 2
@@ -45,6 +47,25 @@ def verdict(source: Path, reference: Path) -> list[str]:
     if not found and written != page(register_map):
         found = [f"{reference} is not what {source} says: run `make docs`"]
     return found
+
+
+def plc_verdict(source: Path, folder: Path) -> list[str]:
+    """What is wrong with the constants of the Structured Text in `folder`; empty when all is well."""
+    try:
+        return [f"{file} is not what {source} says: run `make docs`" for file in outdated(folder, load(source))]
+    except (MapError, OSError) as error:
+        return [str(error)]
+
+
+def _write_constants() -> list[str]:
+    try:
+        register_map = load(MAP)
+        for file in (PLC / name for name in SECTIONS):
+            text = with_constants(file.name, file.read_text(encoding="utf-8"), register_map)
+            file.write_text(text, encoding="utf-8")
+    except (MapError, OSError) as error:
+        return [str(error)]
+    return []
 
 
 def _write(target: Path, form: Callable[[RegisterMap], str]) -> int:

@@ -1,6 +1,6 @@
-"""Checks the register map: sound in itself, and docs/reference/registers.md says the same.
+"""Checks the register map: sound in itself, docs/reference/registers.md and the constants in deploy/plc say the same.
 
-usage: check_registers.py [MAP PAGE]
+usage: check_registers.py [MAP PAGE PLC]
 Prints one line for each violation and exits 1 when there is any.
 """
 
@@ -12,16 +12,17 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(TOP / "cmake"))
 
-from registers import MAP, PAGE, verdict  # noqa: E402  (the generator is beside the build files, not installed)
+from registers import MAP, PAGE, PLC, plc_verdict, verdict  # noqa: E402  (the generator is beside the build files, not installed)
 
-__all__ = ["MAP", "PAGE", "main", "verdict"]
+__all__ = ["MAP", "PAGE", "PLC", "main", "plc_verdict", "verdict"]
 
 
 def main() -> int:
     """Check the map of the tree, or the one named."""
-    source, page = (Path(argument) for argument in sys.argv[1:3]) if len(sys.argv) == 3 else (MAP, PAGE)
-    found = verdict(source, page)
-    print("\n".join(found) if found else "registers: the map is sound and its page up to date")
+    named = tuple(Path(argument) for argument in sys.argv[1:4])
+    source, page, plc = named if len(named) == 3 else (MAP, PAGE, PLC)
+    found = verdict(source, page) or plc_verdict(source, plc)
+    print("\n".join(found) if found else "registers: the map is sound, its page and the PLC's constants up to date")
     return 1 if found else 0
 
 

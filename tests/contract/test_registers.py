@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 import tomllib
 from collections.abc import Callable
@@ -14,6 +15,7 @@ from register_map.check import problems
 from register_map.header import header
 from register_map.model import MapError, from_document, load
 from register_map.page import page
+from register_map.structured_text import SECTIONS, with_constants
 
 Document = dict[str, Any]
 
@@ -97,7 +99,8 @@ def test_a_page_that_is_not_up_to_date_is_refused(tmp_path: Any) -> None:
 def test_the_check_fails_on_an_old_page_and_passes_the_tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     old = tmp_path / "registers.md"
     old.write_text("# Registers\n", encoding="utf-8")
-    monkeypatch.setattr(sys, "argv", ["check_registers.py", str(check_registers.MAP), str(old)])
+    named = [check_registers.MAP, old, check_registers.PLC]
+    monkeypatch.setattr(sys, "argv", ["check_registers.py", *(str(path) for path in named)])
     assert check_registers.main() == 1
     monkeypatch.setattr(sys, "argv", ["check_registers.py"])
     assert check_registers.main() == 0
@@ -105,6 +108,40 @@ def test_the_check_fails_on_an_old_page_and_passes_the_tree(tmp_path: Path, monk
 
 def test_a_missing_page_is_refused(tmp_path: Any) -> None:
     assert check_registers.verdict(check_registers.MAP, tmp_path / "registers.md") != []
+
+
+def test_the_constants_for_plcs_are_those_of_the_map() -> None:
+    assert check_registers.plc_verdict(check_registers.MAP, check_registers.PLC) == []
+
+
+def test_a_constant_that_was_changed_by_hand_is_refused(tmp_path: Path) -> None:
+    shutil.copytree(check_registers.PLC, tmp_path / "plc")
+    file = tmp_path / "plc/TripointBlock.st"
+    file.write_text(file.read_text(encoding="utf-8").replace("X : INT := 10;", "X : INT := 12;"), encoding="utf-8")
+    assert "TripointBlock.st is not what" in check_registers.plc_verdict(check_registers.MAP, tmp_path / "plc")[0]
+    assert with_constants(file.name, file.read_text(encoding="utf-8"), load(check_registers.MAP)) == (
+        check_registers.PLC / file.name
+    ).read_text(encoding="utf-8")
+
+
+def test_a_file_for_plcs_without_its_constants_is_refused(tmp_path: Path) -> None:
+    shutil.copytree(check_registers.PLC, tmp_path / "plc")
+    (tmp_path / "plc/TripointState.st").write_text("FUNCTION_BLOCK TripointState\n", encoding="utf-8")
+    assert "has 0 sections" in check_registers.plc_verdict(check_registers.MAP, tmp_path / "plc")[0]
+    (tmp_path / "plc/TripointState.st").unlink()
+    assert "No such file" in check_registers.plc_verdict(check_registers.MAP, tmp_path / "plc")[0]
+
+
+def test_every_constant_follows_the_map() -> None:
+    spoilt = document()
+    register(spoilt, "measured", "x").update(scale=0.002)
+    for row in (row for row in spoilt["bits"][0]["bits"] if row["name"] in ("stale", "degraded")):
+        row["bit"] = 9 - row["bit"]
+    changed = from_document(spoilt)
+    texts = {name: (check_registers.PLC / name).read_text(encoding="utf-8") for name in SECTIONS}
+    block = with_constants("TripointBlock.st", texts["TripointBlock.st"], changed)
+    assert "POSITION_MM : LREAL := 0.002;" in block
+    assert "STALE : WORD := 16#0020;" in block
 
 
 # The design's own words, so that a changed map is noticed: address, type, name.
