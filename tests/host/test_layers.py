@@ -23,6 +23,7 @@ MAY_USE = {
     "trajectories": {"errors"},
     "watching": {"errors", "clock", "contract", "trajectories"},
     "diagnostics": {"errors", "contract", "appliance"},
+    "plc": {"errors", "contract"},
     "demo": {"errors", "contract", "watching"},
 }  # cli may use everything, and nobody uses cli
 

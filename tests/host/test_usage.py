@@ -19,7 +19,7 @@ ROWS = ("simulate", "scout")
     ("arguments", "begins", "ends"),
     [
         ((), "E-USE-03 host-tool: no command is named", "write one of status, watch, plc, simulate, demo"),
-        (("plc",), "E-USE-03 host-tool plc: no command is named", "write one of probe"),
+        (("plc",), "E-USE-03 host-tool plc: no command is named", "write one of export, probe"),
         (("nonsense",), "E-USE-03 host-tool: no such command 'nonsense'", "simulate, demo"),
         (("--nonsense",), "E-USE-04 host-tool: no such option '--nonsense'", "--help lists what it takes"),
         (("watch", "--cont"), "E-USE-04 host-tool watch: no such option '--cont' (did you mean", "takes"),
@@ -28,6 +28,8 @@ ROWS = ("simulate", "scout")
         (("simulate",), "E-USE-05 host-tool simulate: missing argument 'SCENARIO'", "takes"),
         (("watch", "--count", "0"), "E-USE-06 host-tool watch: invalid value for '--count': 0", "takes"),
         (("watch", "--seconds", "nan"), "E-USE-06 host-tool watch: invalid value for '--seconds': nan", "takes"),
+        (("plc", "export", "--format", "s7"), "E-USE-06 host-tool plc export: invalid value for '--format'", "takes"),
+        (("plc", "export", "--out", "x"), "E-PLC-02 no format is named", "siemens, beckhoff, codesys, rockwell, ur"),
         (("plc", "probe", "--base", "7"), "E-USE-06 host-tool plc probe: invalid value for '--base'", "takes"),
     ],
 )

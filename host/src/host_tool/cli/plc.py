@@ -1,4 +1,4 @@
-"""host-tool plc: proving that a PLC reads the unit right."""
+"""host-tool plc: proving that a PLC reads the unit right, and files for its tool."""
 
 from typing import Any
 
@@ -8,6 +8,7 @@ from host_tool.appliance.modbus import Table
 from host_tool.appliance.unit import open_unit
 from host_tool.cli.options import Common, common_options
 from host_tool.cli.output import print_json
+from host_tool.cli.plc_export import export
 from host_tool.contract.words import WordOrder
 from host_tool.diagnostics.plc_probe import (
     EXPECTED_F32,
@@ -23,7 +24,10 @@ from host_tool.errors import ExitCode
 
 @click.group(epilog="Example: host-tool plc probe --word-order cdab")
 def plc() -> None:
-    """Prove that a PLC or robot controller reads right."""
+    """Prove that a PLC or robot controller reads right, and write files for its tool."""
+
+
+plc.add_command(export)
 
 
 @plc.command(epilog="Example: host-tool plc probe --word-order cdab --table holding --device 192.168.1.20:502")
