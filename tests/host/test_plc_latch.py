@@ -65,6 +65,22 @@ def test_a_latch_that_fails_says_why(outcome: tuple[int, int], refusing: bool, r
     assert not plc.said("latched.valid")
 
 
+def test_the_outcome_of_an_old_word_is_not_taken_for_the_new_ones(plc: Plc) -> None:
+    wire_of(plc).state = wire_of(plc).shown = [0x0101, 2, 0, 99]  # as a PLC finds it that has restarted
+    wire_of(plc).lag = 3
+    run(plc, 12)
+    latched(plc)
+    assert plc.said("latch_done")
+    assert plc.said("latched.valid")
+
+
+def test_the_outcome_of_another_clients_word_is_not_taken(plc: Plc) -> None:
+    wire_of(plc).rival_word = 0x0155
+    run(plc, 12)
+    latched(plc, limit=250)
+    assert (plc.said("latch_failed"), plc.said("latch_result")) == (True, 0x0100)
+
+
 def test_a_word_left_from_before_a_restart_starts_nothing(plc: Plc) -> None:
     wire_of(plc).state = [0x0101, 2, 0, 99]
     run(plc, 12)

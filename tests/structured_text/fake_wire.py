@@ -38,6 +38,10 @@ class FakeWire:
     refusing: bool = False
     armed: bool = False  # after start the unit waits for a 0
     state: list[int] = field(default_factory=lambda: [0, 0, 0, 0])  # registers 40 to 43
+    rival_word: int = 0  # a word that another client wrote after ours
+    lag: int = 0  # readings for which a changed state is not seen yet
+    shown: list[int] = field(default_factory=lambda: [0, 0, 0, 0])
+    late: int = 0
     written: list[int] = field(default_factory=list)
     sequence: int = 70000
 
@@ -48,7 +52,11 @@ class FakeWire:
             self.sequence += 1
         image = full_image(self.sequence)
         image.put(32, "H", self.sequence & 0xFFFF)
-        image.put(40, "H", *self.state)
+        if address == 32 and self.shown != self.state:
+            self.late += 1
+            if self.late > self.lag:
+                self.shown, self.late = self.state, 0
+        image.put(40, "H", *self.shown)
         self.spoil(image)
         image.words[400:448] = image.words[100:148]
         image.put(400, "H", self.latched_sequence)
@@ -63,4 +71,4 @@ class FakeWire:
         if value == 0:
             self.armed, self.state = True, [0, 0, 0, 0]
         elif self.armed:
-            self.armed, self.state = False, [value, *self.outcome, LATCHED_SEQUENCE]
+            self.armed, self.state = False, [self.rival_word or value, *self.outcome, LATCHED_SEQUENCE]

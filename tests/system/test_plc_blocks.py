@@ -1,4 +1,4 @@
-"""The Structured Text of deploy/plc against the real unit: what it takes is what host-tool reads, and it latches."""
+"""What is in deploy/plc against the real unit: the poses it takes are those that host-tool reads, and it latches."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from structured_text.plc import Plc, shipped_program
 from structured_text.program import Program
+from structured_text.urscript import Robot
 from system.daemon import Daemon, daemon
 
 from host_tool.appliance.modbus import ModbusLink, Table
@@ -101,6 +102,37 @@ def test_a_latched_pose_is_the_copy_that_the_unit_holds(plc: Plc) -> None:
     until(plc, "latched.valid", latch=True)
     with_copy = Link(plc.wire.modbus).read(400, 48)  # type: ignore[attr-defined]
     same_pose(plc, "latched", pose_of(words_of("latched", with_copy)))
+
+
+def without_simulated(address: int, link: ModbusLink) -> int:
+    word = link.read(Table.INPUT, address, 1)[0]
+    return word & ~(1 << 9) if address == 449 else word
+
+
+def test_a_universal_robot_latches_and_reads_the_same_pose(unit: Daemon) -> None:
+    with ModbusLink(unit.address, 2.0) as link:
+        setup = link.read(Table.HOLDING, 146, 1)[0]
+        # The script takes no pose of a simulation: this is what it would read in a machine.
+        robot = Robot(lambda at: without_simulated(at, link), link.write, MonotonicClock().sleep)
+        functions = robot.functions()
+        functions["tripoint_connect"]("127.0.0.1")
+        seen = functions["tripoint_latch"](setup, 2000, 5000, False)
+        copy = words_of("latched_single", link.read(Table.HOLDING, 448, 16))
+    assert seen[0] == 0
+    millimetres = copy.triple("x", "y", "z")
+    rotation = copy.triple("rotation_x", "rotation_y", "rotation_z")
+    assert millimetres is not None
+    assert rotation is not None
+    assert seen[1:] == pytest.approx([*(value / 1000.0 for value in millimetres), *rotation], abs=1e-9)
+
+
+def test_a_universal_robot_refuses_a_simulation(unit: Daemon) -> None:
+    with ModbusLink(unit.address, 2.0) as link:
+        setup = link.read(Table.HOLDING, 146, 1)[0]
+        robot = Robot(lambda at: link.read(Table.INPUT, at, 1)[0], link.write, MonotonicClock().sleep)
+        functions = robot.functions()
+        functions["tripoint_connect"]("127.0.0.1")
+        assert functions["tripoint_latch"](setup, 2000, 5000, False)[0] == 5
 
 
 def test_a_unit_of_which_the_client_may_not_command_says_so(program: Program, tmp_path: Path) -> None:
