@@ -42,6 +42,8 @@ CLIENT = """\
 
 Latch: write 0 to 1000, see 40 = 0; write 256 + token, see 40 = that word and 41 = 2 (done) or 3 (failed); read 400 to
 463. A client that reads one register per request (Universal Robots) must take its pose this way.
+
+[The guide](../guides/plc.md) has this for each vendor, with programs.
 """
 
 CONNECTIONS = """\

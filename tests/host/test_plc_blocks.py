@@ -129,6 +129,24 @@ def test_a_heartbeat_that_stands_for_500_ms_is_a_fault_whatever_the_bits_say(plc
     assert plc.said("live.valid")
 
 
+def test_what_comes_back_after_a_silence_is_identified_anew(plc: Plc) -> None:
+    run(plc, 20)
+    wire_of(plc).beating = False
+    run(plc, 60)
+    assert plc.asked[-1] == (32, 116)  # no error came, and it was identified once more
+    wire_of(plc).beating, wire_of(plc).spoil = True, put(1, "H", 2)
+    before = len(plc.asked)
+    run(plc, 20)
+    assert plc.said("live.valid")  # nothing fell silent in between
+    wire_of(plc).beating = False
+    run(plc, 60)
+    wire_of(plc).beating = True
+    run(plc, 20)
+    assert (0, 32) in plc.asked[before:]
+    assert not plc.said("identified")
+    assert plc.said("live.reason") == 2
+
+
 def test_one_answer_from_a_cache_is_no_heartbeat(plc: Plc) -> None:
     wire_of(plc).beating = False
     run(plc, 40)
@@ -170,11 +188,12 @@ def test_these_tests_leave_no_statement_unrun() -> None:
     ways += [({"spoil": spoil}, False) for _, spoil, _ in REFUSALS] + [({"spoil": put(1, "H", 2), "down": True}, False)]
     ways += [({"down": False, "spoil": lambda _: None}, False), ({"outcome": (3, 3)}, True), ({}, False)]
     ways += [({"refusing": True}, True), ({}, False), ({"refusing": False, "outcome": (1, 0)}, True)]
+    ways += [({"beating": False}, False)] * 3
     run(plc, 12)
     for changes, latch in ways:
         for name, value in changes.items():
             setattr(plc.wire, name, value)
-        run(plc, 220 if plc.wire.outcome == (1, 0) else 24, latch)  # type: ignore[attr-defined]
+        run(plc, 220 if latch and plc.wire.outcome == (1, 0) else 24, latch)  # type: ignore[attr-defined]
     missed = [
         f"{unit.name}: {node}"
         for unit in plc.program.units.values()

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from host.plc_stage import LIMITS
+from structured_text.execution import Runtime
 from structured_text.fake_wire import LATCHED_SEQUENCE, SETUP, FakeWire
+from structured_text.program import program_from
+from structured_text.values import Value
 from structured_text.vendor_clients import CLIENTS, Controller
 
 GUIDE = (Path(__file__).parents[2] / "docs/guides/plc.md").read_text(encoding="utf-8")
@@ -52,6 +56,67 @@ def test_a_program_of_the_guide_gets_poses_and_latches_and_sees_the_cable_out(ve
     wire.down = False
     run(plc, 30)
     assert plc.said("live.valid")
+
+
+LOGIX = """FUNCTION_BLOCK Logix
+VAR_INPUT
+    answered : BOOL; heartbeat_timer : Timer; stored_setup, round_trip_us : DINT; Tripoint_measured_status : WORD;
+    {numbers} : DINT;
+END_VAR
+VAR_OUTPUT
+    pose_valid : INT;
+END_VAR
+{body}END_FUNCTION_BLOCK
+TYPE Timer : STRUCT DN : BOOL; END_STRUCT END_TYPE
+"""
+LOGIX_POSE = {"sequence": 7, "sequence_end": 7, "setup": -21555, "age": 100_000} | {
+    f"uncertainty_{axis}": 400_000 for axis in "xyz"
+}
+
+
+def logix_takes(folder: Path, answered: bool = True, status: int = 0x000F, late: bool = False, **spoilt: int) -> bool:
+    """What the lines for Logix make of an answer; the setup is 0xABCD, as a signed number."""
+    (body,) = re.findall(r"^```iecst\n(IF answered.*?)^```", GUIDE, re.M | re.S)
+    file = folder / "logix.st"
+    names = ", ".join(f"Tripoint_measured_{name}" for name in LOGIX_POSE)
+    file.write_text(LOGIX.format(numbers=names, body=body), encoding="utf-8")
+    runtime = Runtime(program_from([file]))
+    block, timer = runtime.instance("Logix"), runtime.instance("Timer")
+    timer.members["dn"] = Value("BOOL", late)
+    numbers = {f"tripoint_measured_{name}": value for name, value in (LOGIX_POSE | spoilt).items()}
+    numbers |= {"stored_setup": spoilt.get("stored_setup", -21555), "round_trip_us": 5000}
+    numbers.pop("tripoint_measured_stored_setup", None)
+    inputs: dict[str, Any] = {name: Value("DINT", value) for name, value in numbers.items()}
+    inputs |= {"answered": Value("BOOL", answered), "tripoint_measured_status": Value("WORD", status)}
+    runtime.call(block, inputs | {"heartbeat_timer": timer})
+    return bool(block.members["pose_valid"].data)
+
+
+def test_the_lines_for_logix_take_a_pose_that_may_be_used(tmp_path: Path) -> None:
+    assert logix_takes(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "spoilt",
+    [
+        {"answered": False},
+        {"late": True},
+        {"sequence_end": 8},
+        {"status": 0x0007},
+        {"status": 0x001F},
+        {"status": 0x020F},
+        {"setup": 5},
+        {"setup": 0, "stored_setup": 0},
+        {"age": 145_001},
+        {"age": -1},
+        {"uncertainty_x": -1},
+        {"uncertainty_y": 500_001},
+        {"uncertainty_z": -1},
+    ],
+    ids=str,
+)
+def test_the_lines_for_logix_refuse_any_other(spoilt: dict[str, Any], tmp_path: Path) -> None:
+    assert not logix_takes(tmp_path, **spoilt)
 
 
 @pytest.mark.parametrize("vendor", CLIENTS)
