@@ -18,9 +18,9 @@ struct ClutterChoice {
 };
 
 /// The target stands 350 to 800 mm away: 1 to 4 LEDs, ids 1 to 4 and lines 0 to 3, at the corners of a triangle of 100,
-/// 80 and 60 mm and 40 mm before its plane. Around it skin, orange and red things, cables, metal, highlights, lamps,
-/// hot pixels; sometimes a hand in front, a plate behind the LEDs, a mirror, glare. Format and tone are the caller's to
-/// change. The same seed and choice give the same scene on every machine.
+/// 80 and 60 mm and 40 mm before its plane. Around it skin, orange and red things, cables, metal, highlights of which
+/// some move, lamps, hot pixels; sometimes a hand in front, a plate behind the LEDs, a mirror, glare. Format and tone
+/// are the caller's to change. The same seed and choice give the same scene on every machine.
 SimulationSettings clutter_settings(std::uint64_t seed, const ClutterChoice& choice);
 
 }  // namespace tripoint

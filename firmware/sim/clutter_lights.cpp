@@ -81,9 +81,25 @@ std::vector<LightSource> leds(const ClutterStage& stage) {
   return lights;
 }
 
+/// Every fourth highlight or so wanders over its figure, as over metal that turns or water that moves.
+void let_sway(std::vector<LightSource>& lights, const ClutterStage& stage) {
+  Draws draws = stage.draws(ClutterTopic::kSway);
+  for (LightSource& light : lights) {
+    const bool sways = draws.chance(0.25);
+    const double angle_rad = draws.even(-kHalfTurn_rad, kHalfTurn_rad);
+    const double reach_mm = draws.scaled({3.0, 30.0});
+    const double period_s = draws.scaled({0.3, 3.0});
+    const double phase_rad = draws.even(-kHalfTurn_rad, kHalfTurn_rad);
+    if (!sways) continue;
+    const Vec3 along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    light.sway = Sway{reach_mm * along, duration_from_seconds(period_s), phase_rad};
+  }
+}
+
 /// On the figures, a little before them: nearly white, whatever the figure's colour.
 void add_highlights(std::vector<LightSource>& lights, const ClutterStage& stage, const std::vector<Surface>& surfaces) {
   Draws draws = stage.draws(ClutterTopic::kHighlights);
+  std::vector<LightSource> highlights;
   const std::size_t count = 8 + draws.index(23);
   for (std::size_t i = 0; i < count; ++i) {
     const std::optional<Outline>& figure = surfaces[1 + draws.index(surfaces.size() - 1)].outline;
@@ -93,8 +109,10 @@ void add_highlights(std::vector<LightSource>& lights, const ClutterStage& stage,
     const double peak = stage.white_level * draws.scaled({1.0, 60.0});
     LightSource highlight = standing(stage, draws, place_mm, sigma_mm, peak);
     highlight.color = kHighlightColors[draws.index(kHighlightColors.size())];
-    lights.push_back(highlight);
+    highlights.push_back(highlight);
   }
+  let_sway(highlights, stage);
+  lights.insert(lights.end(), highlights.begin(), highlights.end());
 }
 
 /// A wide warm lamp in half of the scenes, and two white LEDs.

@@ -30,6 +30,7 @@ enum class ClutterTopic : std::uint8_t {
   kNearHighlight,
   kReflections,
   kGlare,
+  kSway,
 };
 
 struct ClutterStage {

@@ -102,9 +102,10 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
 
 std::optional<FrameRenderer::Sight> FrameRenderer::sight_of(const LightSource& light, Duration since_1970) const {
   const Isometry3& camera_from_reference = world_.rig().camera_from_rig[side_];
-  Vec3 in_reference_mm = light.mount == Mount::kReference
-                             ? light.place_mm
-                             : target_pose_at(world_.settings().trajectory, since_1970) * light.place_mm;
+  Vec3 in_reference_mm = place_mm_at(light, since_1970);
+  if (light.mount == Mount::kTarget) {
+    in_reference_mm = target_pose_at(world_.settings().trajectory, since_1970) * in_reference_mm;
+  }
   if (light.mirror) {
     const Vec3 camera_mm = camera_from_reference.inverse().translation();
     const std::optional<Vec3> image_mm = mirrored_mm(*light.mirror, in_reference_mm, camera_mm);

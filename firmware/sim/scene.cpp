@@ -1,6 +1,16 @@
 #include "sim/scene.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace tripoint {
+
+Vec3 place_mm_at(const LightSource& light, Duration since_1970) {
+  if (!light.sway) return light.place_mm;
+  const Sway& sway = *light.sway;
+  const double turns = seconds(since_1970 % sway.period) / seconds(sway.period);
+  return light.place_mm + std::sin(2.0 * std::numbers::pi * turns + sway.phase_rad) * sway.reach_mm;
+}
 
 LightSource reflection_of(const LightSource& light, const Outline& mirror, double reflectance) {
   LightSource image = light;

@@ -10,6 +10,7 @@
 #include "sim/chessboard.h"
 #include "values/linear.h"
 #include "values/side.h"
+#include "values/time.h"
 
 namespace tripoint {
 
@@ -27,6 +28,14 @@ struct Outline {
   Shape shape = Shape::kEllipse;
   double angle_rad = 0.0;       ///< of the first axis in the figure's plane; from x towards y when facing -z
   Vec3 facing{0.0, 0.0, -1.0};  ///< unit normal in the reference frame; the default looks at the cameras
+};
+
+/// To and fro along a line, as a highlight goes over a part that turns: place + reach sin(2 pi t / period + phase), t
+/// since 1970.
+struct Sway {
+  Vec3 reach_mm = Vec3::Zero();
+  Duration period{std::chrono::seconds{1}};
+  double phase_rad = 0.0;
 };
 
 /// A small lamp, a highlight, or an image of one in a mirror: a Gaussian core, a wider, weaker Gaussian halo around it,
@@ -49,10 +58,14 @@ struct LightSource {
   PerSide<double> gain{1.0, 1.0};      ///< of `peak` in each view: lamps are directed, highlights differ by the view
   double veil_share = 0.0;             ///< energy of the veil over that of the core
   double veil_of_width = 0.08;         ///< standard deviation of the veil over the picture's width
+  std::optional<Sway> sway = std::nullopt;                ///< about its place, in the same frame; absent: at rest in it
   std::optional<std::size_t> switched_by = std::nullopt;  ///< line of the simulated LEDs; absent: always lit
   std::optional<Outline> mirror = std::nullopt;  ///< seen in this mirror only, as far behind it as it is in front
 };
 inline constexpr double kPeakDistance_mm = 400.0;
+
+/// Where a light is in the frame of its mount.
+Vec3 place_mm_at(const LightSource& light, Duration since_1970);
 
 /// The image of a light in a flat mirror: no part of the target, and weaker by the reflectance.
 LightSource reflection_of(const LightSource& light, const Outline& mirror, double reflectance);

@@ -130,6 +130,9 @@ const std::array kKinds{
                     return is_standing(l) && l.color[0] >= l.color[1] && !is_red(l);
                   }) >= 2;
          }},
+    // Every fourth of 8 to 30: none of them in 0.019 of the scenes.
+    Kind{"highlights that move by themselves", 0.98,
+         [](const auto& s) { return any_light(s, [](const auto& l) { return l.sway.has_value(); }); }},
     // On the body in 0.3 of the scenes, beside an LED in 0.15: 1 - 0.7 x 0.85.
     Kind{"highlights that move with the target", 0.405,
          [](const auto& s) {

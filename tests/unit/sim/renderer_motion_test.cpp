@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,27 @@ TEST(RendererMotionTest, RollingShutterFollowsAFallingLightToItsRow) {
   const double v_px = 239.5 / (1.0 - 1200.0 * 60e-6);
   EXPECT_NEAR(light.at.v_px, v_px, 1e-4);
   EXPECT_NEAR(seconds(light.exposed_since_1970 - kHalfWay), v_px * 60e-6, 1e-8);
+}
+
+TEST(RendererMotionTest, SwayingLightIsWhereItsSineIsAndBlurredByItsSpeed) {
+  SimulationSettings settings = moving_settings(Vec3::Zero());
+  settings.scene.lights[0].sway = Sway{.reach_mm = {30.0, 0.0, 0.0}, .period = std::chrono::milliseconds{800}};
+  const SimulatedWorld still = world_of(settings);
+  settings.exposure = std::chrono::milliseconds{10};
+  const SimulatedWorld world = world_of(settings);
+  FrameRenderer sharp_renderer(still, Side::kLeft);
+  FrameRenderer renderer(world, Side::kLeft);
+  const double middle_u_px = 319.5 + 600.0 * 50.0 / 400.0;  // the left lens centre sits 50 mm to the left
+  // 500 s are 625 periods: through the middle, and fastest; a quarter of a period later at the end, and at rest.
+  EXPECT_NEAR(sharp_renderer.render(kHalfWay, 0).truth.lights[0].at.u_px, middle_u_px, 1e-6);
+  EXPECT_NEAR(renderer.render(kHalfWay, 0).truth.lights[0].at.u_px, middle_u_px, 1e-6);
+  const double length_px = 30.0 * 600.0 / 400.0 * 2.0 * std::numbers::pi / 0.8 * 0.010;  // 3.5 px
+  const double blur_px2 = light_moments(renderer).variance_px2.x() - light_moments(sharp_renderer).variance_px2.x();
+  EXPECT_NEAR(blur_px2, length_px * length_px / 12.0, 0.02);
+  const Duration at_the_end = kHalfWay + std::chrono::milliseconds{200};
+  EXPECT_NEAR(renderer.render(at_the_end, 0).truth.lights[0].at.u_px, middle_u_px + 30.0 * 600.0 / 400.0, 1e-6);
+  sharp_renderer.render(at_the_end, 0);
+  EXPECT_NEAR(light_moments(renderer).variance_px2.x(), light_moments(sharp_renderer).variance_px2.x(), 0.01);
 }
 
 TEST(RendererMotionTest, TruthOfTheTargetIsThatOfRowZero) {
