@@ -44,6 +44,7 @@ struct Tally {
   int asked = 0;
   int found = 0;
   int covered = 0;
+  int in_95 = 0;
   double squares_px2 = 0.0;
   double stated_px2 = 0.0;
   std::map<std::string, int> misses;  ///< by cause
@@ -52,6 +53,7 @@ struct Tally {
   PairCounts pairs;
 
   [[nodiscard]] double found_share() const { return found / std::max(1.0, asked * 1.0); }
+  [[nodiscard]] double of_found(int leds) const { return leds / std::max(1.0, found * 1.0); }
 };
 
 /// A detector and a decoder for each camera, as in the unit.
@@ -103,6 +105,7 @@ void count(Tally& tally, const ViewScore& view) {
     }
     ++tally.found;
     tally.covered += led.covered ? 1 : 0;
+    tally.in_95 += led.in_95 ? 1 : 0;
     tally.squares_px2 += led.error_px * led.error_px;
     tally.stated_px2 += led.stated_px * led.stated_px;
   }
@@ -182,9 +185,9 @@ void print_row(const Row& row, const Tally& tally) {
     const auto found = tally.false_points.find(origin);
     return (found == tally.false_points.end() ? 0.0 : found->second) / (2.0 * tally.scenes);
   };
-  std::fprintf(stderr, "%-24s %5d %6.4f %7.4f %6.4f %6.4f | %6.3f %6.3f %6.3f %6.3f %6.3f | %5d %5d %5d %5d |",
-               row.name.c_str(), tally.asked, tally.found_share(), tally.covered / std::max(1.0, tally.found * 1.0),
-               std::sqrt(tally.squares_px2 / std::max(1.0, 2.0 * tally.found)),
+  std::fprintf(stderr, "%-24s %5d %6.4f %7.4f %7.4f %6.4f %6.4f | %6.3f %6.3f %6.3f %6.3f %6.3f | %5d %5d %5d %5d |",
+               row.name.c_str(), tally.asked, tally.found_share(), tally.of_found(tally.in_95),
+               tally.of_found(tally.covered), std::sqrt(tally.squares_px2 / std::max(1.0, 2.0 * tally.found)),
                std::sqrt(tally.stated_px2 / std::max(1.0, 1.0 * tally.found)), of(Origin::kRedLamp),
                of(Origin::kReflection), of(Origin::kOtherLight), of(Origin::kHotPixel), of(Origin::kThing),
                tally.pairs.leds, tally.pairs.ghosts, tally.pairs.red_lights, tally.pairs.others);
@@ -199,6 +202,7 @@ void print_row(const Row& row, const Tally& tally) {
 void add_figures(std::vector<Figure>& figures, const std::string& row, const Tally& tally) {
   const std::string of_row = figures.empty() ? "" : "_" + row;
   const Figure found{.name = "clutter_leds_found_share" + of_row, .value = tally.found_share(), .unit = "share"};
+  figures.push_back({.name = "clutter_covered_share" + of_row, .value = tally.of_found(tally.in_95), .unit = "share"});
   const double false_points = tally.pairs.red_lights + tally.pairs.others;
   figures.push_back(figures.empty() ? at_least(found, 0.97) : found);
   figures.push_back(
@@ -211,11 +215,12 @@ void add_figures(std::vector<Figure>& figures, const std::string& row, const Tal
 int run(const Options& options) {
   std::fprintf(
       stderr,
-      "%-24s %5s %6s %7s %6s %6s | false points a view                | stereo pairs            | misses              "
+      "%-24s %5s %6s %7s %7s %6s %6s | false points a view                | stereo pairs            | misses           "
+      "   "
       "|\n"
-      "%-24s %5s %6s %7s %6s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | alone beside outsh. | misses by cause\n",
-      "", "LEDs", "found", "in 3 s.", "RMS px", "stated", "", "", "", "", "", "", "lamp", "mirror", "light", "hot px",
-      "thing", "LED", "ghost", "red", "other");
+      "%-24s %5s %6s %7s %7s %6s %6s | %6s %6s %6s %6s %6s | %5s %5s %5s %5s | alone beside outsh. | misses by cause\n",
+      "", "LEDs", "found", "in 95 %", "in 3 s.", "RMS px", "stated", "", "", "", "", "", "", "", "lamp", "mirror",
+      "light", "hot px", "thing", "LED", "ghost", "red", "other");
   std::vector<Figure> figures;
   for (const Row& row : rows()) {
     if (!options.row.empty() && options.row != row.name) continue;

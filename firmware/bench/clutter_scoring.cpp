@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kFoundWithin_px = 1.0;
 constexpr double kSigmas = 3.0;
+constexpr double kSigmas_95 = 2.4477;  // root of 5.991, the 95 % of chi-square with two degrees of freedom
 constexpr double kSeenShare = 0.9;     // of an LED's light, above which it is to be found
 constexpr double kBesideShare = 0.1;   // of an LED's peak, below which another light does not disturb it
 constexpr double kShowsShare = 0.05;   // of a light, below which no point is about it
@@ -70,10 +71,11 @@ LedScore led_score(const Detection& detection, const CandidateLog& candidates, c
   score.error_px = std::numeric_limits<double>::infinity();
   for (const ImagePoint& point : detection.points) {
     const double error_px = distance_px(point.at, light.at);
-    const bool within_stated = stated_sigmas(point, light.at) <= kSigmas;
-    if (error_px >= score.error_px || (error_px > kFoundWithin_px && !within_stated)) continue;
+    const double sigmas = stated_sigmas(point, light.at);
+    if (error_px >= score.error_px || (error_px > kFoundWithin_px && sigmas > kSigmas)) continue;
     score.found = true;
-    score.covered = within_stated;
+    score.covered = sigmas <= kSigmas;
+    score.in_95 = sigmas <= kSigmas_95;
     score.stated_px = std::sqrt(0.5 * point.covariance_px2.trace());
     score.error_px = error_px;
   }

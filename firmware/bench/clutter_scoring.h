@@ -34,6 +34,7 @@ struct LedScore {
   Company company = Company::kAlone;
   bool found = false;
   bool covered = false;    ///< found, and within three stated deviations (98.9 % of a true normal error)
+  bool in_95 = false;      ///< found, and within the stated ellipse of 95 %
   double error_px = 0.0;   ///< of the found point
   double stated_px = 0.0;  ///< its own standard deviation, per axis
   std::string cause{};     ///< of a miss: the drop cause that came furthest, "off" for a kept one too far away

@@ -19,4 +19,7 @@ def in_function(pattern: str, program: Path, *arguments: str) -> float:
         if run.returncode != 0:
             raise RuntimeError(f"{program.name} failed under callgrind:\n{run.stderr}")
         summary = next(line for line in counts.read_text().splitlines() if line.startswith("summary:"))
-        return float(summary.split()[1]) / float(run.stdout)
+        counted = float(summary.split()[1])
+        if counted == 0:
+            raise RuntimeError(f"{program.name} never came to a function named {pattern}")
+        return counted / float(run.stdout)

@@ -115,6 +115,12 @@ double luma_bound_px(const SensorModel& sensor, const LightTruth& spot, const Li
   return std::sqrt(sum_px2 / (kPhases * kPhases));
 }
 
+LinearColor wall_level(const Scene& scene) {
+  LinearColor level{};
+  for (std::size_t c = 0; c < level.size(); ++c) level[c] = scene.white_level * scene.surfaces[0].reflectance[c];
+  return level;
+}
+
 SensorModel sensor_with_bound(double bound_px, const LightTruth& spot, const LightSource& light,
                               const LinearColor& background) {
   constexpr int kHalvings = 14;

@@ -14,6 +14,9 @@ namespace tripoint::bench {
 double luma_bound_px(const SensorModel& sensor, const LightTruth& spot, const LightSource& light,
                      const LinearColor& background);
 
+/// What a scene's wall, without its texture, adds to each channel, in units of clip.
+LinearColor wall_level(const Scene& scene);
+
 /// A sensor whose gain is raised until the bound is `bound_px`: as in a short exposure of a weak light, shot noise and
 /// read noise grow together, in units of clip.
 SensorModel sensor_with_bound(double bound_px, const LightTruth& spot, const LightSource& light,

@@ -1,6 +1,7 @@
 // A whole stereo pair of three LEDs, to be counted in instructions: `bench_pair ours|textbook SIZE`, under callgrind
 // with collection switched on in `measured_pair` only (firmware/bench/instructions.py). Prints how many pairs were
-// measured.
+// measured. `bench_pair spots SIZE` does the same as `ours` and prints how many spots the detector measured in all.
+#include <cstdint>
 #include <cstdio>
 #include <opencv2/core/utility.hpp>
 #include <string_view>
@@ -53,14 +54,17 @@ template <typename Measurer>
   return measurer.measure(pair);
 }
 
+enum class Counted : std::uint8_t { kPairs, kSpots };
+
 template <typename Measurer>
-int run(ImageSize size) {
+int run(ImageSize size, Counted counted = Counted::kPairs) {
   Measurer measurer(size);
   const std::vector<PairBytes> pairs = three_leds_in_motion(size, PixelFormat::kYuyv);
   measurer.measure(pairs.front());  // memory that is taken once
   std::size_t points = 0;
   for (const PairBytes& pair : pairs) points += measured_pair(measurer, pair);
-  std::printf("%zu\n", pairs.size());
+  const std::size_t spots = 2 * kLedsOfPair * (pairs.size() + 1);
+  std::printf("%zu\n", counted == Counted::kSpots ? spots : pairs.size());
   if (points == kLedsOfPair * pairs.size()) return 0;
   std::fprintf(stderr, "%zu points in %zu pairs of three LEDs\n", points, pairs.size());
   return 1;
@@ -75,7 +79,8 @@ int main(int argc, char** argv) {
   const std::string_view kind = argc == 3 ? argv[1] : "";
   const auto size = bench_size_from(argc == 3 ? argv[2] : "");
   if (size && kind == "ours") return run<Ours>(size->size);
+  if (size && kind == "spots") return run<Ours>(size->size, Counted::kSpots);
   if (size && kind == "textbook") return run<TextbookPair>(size->size);
-  std::fputs("usage: bench_pair ours|textbook 640x480|320x240|720p\n", stderr);
+  std::fputs("usage: bench_pair ours|spots|textbook 640x480|320x240|720p\n", stderr);
   return 2;
 }

@@ -25,7 +25,7 @@ TOP = Path(__file__).parents[2]
 WARM_UP_S = 25.0  # longer than the window of latencies that the unit keeps
 LOAD_S = 20
 SIZE_OF_GOALS = "640x480"
-OF_FIRST_ROW = 3  # figures of bench_clutter
+OF_FIRST_ROW = 4  # figures of bench_clutter
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,12 +66,18 @@ def counted(name: str, program: Path, kind: str, size: str, goal: float) -> Figu
     return replace(at_least(f"{name}_{size}_vs_textbook", textbook, ours, 0), goal=None)
 
 
+def of_a_spot(programs: Path) -> Figure:
+    """From the area that the gates have left to the fitted centre."""
+    instructions = in_function("*SpotMeasurer::measure(*", programs / "bench_pair", "spots", SIZE_OF_GOALS)
+    return Figure("fit_instructions", instructions, "per spot", None, True)
+
+
 def of_instructions(programs: Path) -> list[dict[str, Any]]:
-    """Of whole YUYV pictures, and of MJPEG around a forecast."""
+    """Of whole YUYV pictures, of MJPEG around a forecast, and of measuring one spot."""
     print("bench: pairs under callgrind ...", file=sys.stderr, flush=True)
     figures = [counted("pair_instructions", programs / "bench_pair", "ours", size, 50) for size in SIZES]
     figures += [counted("pair_tracking_instructions", programs / "bench_mjpeg", "tracked", size, 60) for size in SIZES]
-    return [asdict(figure) for figure in figures]
+    return [asdict(figure) for figure in [*figures, of_a_spot(programs)]]
 
 
 def free_port() -> int:
@@ -134,7 +140,7 @@ def of_the_unit(programs: Path) -> list[dict[str, Any]]:
 def main() -> int:
     programs, output = Path(sys.argv[1]), Path(sys.argv[2])
     figures = of_program(programs / "bench_detect") + of_program(programs / "bench_static")
-    figures += of_program(programs / "bench_exposure")
+    figures += of_program(programs / "bench_rendered_centroid") + of_program(programs / "bench_exposure")
     figures += of_program(programs / "bench_clutter", "--row", "640_yuyv", "--scenes", "1000")
     figures += of_program(programs / "bench_clutter")[OF_FIRST_ROW:]  # the first has more scenes above
     figures += of_program(programs / "bench_modulation") + of_program(programs / "bench_identity")

@@ -206,10 +206,7 @@ SimulationSettings settings_with_bound(const StereoCalibration& calibration) {
   settings.trajectory = standing_at({0.0, 0.0, 400.0});
   const SimulatedWorld world = SimulatedWorld::create(settings).value();
   const LightTruth spot = render(world, Side::kLeft, Duration{0}).truth.lights[0];
-  LinearColor background{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    background[c] = settings.scene.white_level * settings.scene.surfaces[0].reflectance[c];
-  }
+  const LinearColor background = wall_level(settings.scene);
   settings.sensor = sensor_with_bound(kBound_px, spot, settings.scene.lights[0], background);
   std::fprintf(stderr, "sensor: read noise %.4f of clip, clip at %.0f electrons, spot sigma %.2f px, bound %.4f px\n",
                settings.sensor.read_noise, settings.sensor.full_well_electrons, spot.core_sigma_px,

@@ -30,10 +30,13 @@ AT_EVERY_SIZE = {  # how a figure is called at 320x240, 640x480 and 1280x720
     "LEDs found in clutter, YUYV": _of_clutter("clutter_leds_found_share", "yuyv"),
     "LEDs found in clutter, MJPEG 4:2:2, quality 85": _of_clutter("clutter_leds_found_share", "422_q85"),
     "LEDs found in clutter, MJPEG 4:2:0, quality 70": _of_clutter("clutter_leds_found_share", "420_q70"),
+    "in the stated 95 %, YUYV": _of_clutter("clutter_covered_share", "yuyv"),
+    "in the stated 95 %, MJPEG 4:2:2, quality 85": _of_clutter("clutter_covered_share", "422_q85"),
+    "in the stated 95 %, MJPEG 4:2:0, quality 70": _of_clutter("clutter_covered_share", "420_q70"),
     "false points in clutter, YUYV": _of_clutter("clutter_false_points", "yuyv"),
     "ghosts in clutter, YUYV": _of_clutter("clutter_ghost_points", "yuyv"),
 }
-_OF_CLUTTER = ("clutter_leds_found_share", "clutter_false_points", "clutter_ghost_points")
+_OF_CLUTTER = ("clutter_leds_found_share", "clutter_covered_share", "clutter_false_points", "clutter_ghost_points")
 
 
 def table_of_sizes(figures: list[dict[str, Any]]) -> str:
