@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/detect_tags.h"
 #include "app/detector_settings.h"
 #include "app/exit_code.h"
 #include "app/explanation_folder.h"
@@ -136,6 +137,8 @@ int detect_command(const DetectOptions& options) {
   if (!config) return report(config.error());
   if (options.detector == "led") config->detector.kind = ConfiguredDetector::kLed;
   if (options.detector == "sphere") config->detector.kind = ConfiguredDetector::kSphere;
+  if (options.detector == "apriltag") config->detector.kind = ConfiguredDetector::kAprilTag;
+  if (config->detector.kind == ConfiguredDetector::kAprilTag) return detect_tags(options, config->detector);
   Result<std::optional<ExplanationFolder>> folder = folder_of(options);
   if (!folder) return report(folder.error());
   PictureReader reader(detector_settings(config->detector), std::move(*folder));

@@ -10,8 +10,10 @@ namespace tripoint {
 struct DetectOptions {
   std::vector<std::filesystem::path> images;
   std::filesystem::path config;  ///< gives [detector]; empty: the defaults
-  std::string detector;  ///< "led" or "sphere", with its defaults where [detector] is of another; empty: as there
-  std::filesystem::path explain;  ///< folder for an image of each picture that shows why; empty: none
+  std::string
+      detector;  ///< "led", "sphere" or "apriltag", by default values where [detector] is of another; empty: as there
+  std::string family = "tag36h11";  ///< of AprilTags
+  std::filesystem::path explain;    ///< folder for an image of each picture that shows why; empty: none
 };
 
 /// Prints one JSON line for each image: its points, or why it cannot be read. With `explain` also every candidate, and

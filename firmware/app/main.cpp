@@ -107,11 +107,14 @@ void describe_snapshot(CLI::App& app, Arguments& arguments) {
 void describe_pictures(CLI::App& app, Arguments& arguments) {
   DetectOptions& options = arguments.detect;
   CLI::App* detect = app.add_subcommand(
-      "detect", "Prints the red LEDs, or spheres, that the detector finds in pictures, one JSON line each.");
+      "detect", "Prints the red LEDs, spheres or AprilTags that the detector finds in pictures, one JSON line each.");
   detect->add_option("images", options.images, "JPEG or PNG files")->type_name("IMAGE")->required();
-  detect->add_option("--detector", options.detector, "what to look for: led or sphere; default: as configured, or led")
+  detect
+      ->add_option("--detector", options.detector,
+                   "what to look for: led, sphere or apriltag; default: as configured, or led")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"led", "sphere"}));
+      ->check(CLI::IsMember({"led", "sphere", "apriltag"}));
+  detect->add_option("--family", options.family, "family of the AprilTags")->type_name("NAME")->capture_default_str();
   detect->add_option("--config", options.config, "configuration file, for its [detector]; default: all defaults")
       ->type_name("FILE");
   detect

@@ -97,7 +97,9 @@ Result<void> check_detector(const Config& config) {
   return tl::make_unexpected(
       named_by(config, "detector.kind",
                {ErrorCode::kMismatch,
-                R"("sphere" is for single pictures, with `tripointd detect`: to measure or expose set "led")"}));
+                fmt::format("\"{}\" is for single pictures, with `tripointd detect`: to measure or "
+                            "expose set \"led\"",
+                            config.detector.kind == ConfiguredDetector::kSphere ? "sphere" : "apriltag")}));
 }
 
 Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config) {

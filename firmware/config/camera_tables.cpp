@@ -73,6 +73,22 @@ void check_loss(TableReader& table, const CamerasConfig& cameras) {
                            cameras.rate_hz, std::ceil(shortest_ms), kLongestLoss_ms));
 }
 
+void read_leds(TableReader& table, DetectorConfig& d) {
+  d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
+  d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
+  d.min_emission = table.number("min_emission", {-0.2, 0.2}, d.min_emission);
+}
+
+void read_spheres(TableReader& table, DetectorConfig& d) {
+  d.min_radius_px = table.number("min_radius_px", {8.0, 400.0}, d.min_radius_px);
+  d.max_radius_px = table.number("max_radius_px", {8.0, 400.0}, d.max_radius_px);
+  d.min_redness = table.number("min_redness", {0.1, 1.6}, d.min_redness);
+  d.min_fill = table.number("min_fill", {0.3, 0.95}, d.min_fill);
+  if (d.max_radius_px < d.min_radius_px) {
+    table.refuse("max_radius_px", fmt::format("below min_radius_px: permitted is from {}", d.min_radius_px));
+  }
+}
+
 }  // namespace
 
 CamerasConfig cameras_from(TableReader table) {
@@ -107,20 +123,21 @@ CamerasConfig cameras_from(TableReader table) {
 
 DetectorConfig detector_from(TableReader table) {
   DetectorConfig d;
-  d.kind = table.choice<ConfiguredDetector>(
-      "kind", {{"led", ConfiguredDetector::kLed}, {"sphere", ConfiguredDetector::kSphere}}, d.kind);
-  if (d.kind == ConfiguredDetector::kLed) {
-    d.min_peak = integer(table, "min_peak", {100, 1275}, d.min_peak);
-    d.min_contrast = integer(table, "min_contrast", {5, 1000}, d.min_contrast);
-    d.min_emission = table.number("min_emission", {-0.2, 0.2}, d.min_emission);
-  } else {
-    d.min_radius_px = table.number("min_radius_px", {8.0, 400.0}, d.min_radius_px);
-    d.max_radius_px = table.number("max_radius_px", {8.0, 400.0}, d.max_radius_px);
-    d.min_redness = table.number("min_redness", {0.1, 1.6}, d.min_redness);
-    d.min_fill = table.number("min_fill", {0.3, 0.95}, d.min_fill);
-    if (d.max_radius_px < d.min_radius_px) {
-      table.refuse("max_radius_px", fmt::format("below min_radius_px: permitted is from {}", d.min_radius_px));
-    }
+  d.kind = table.choice<ConfiguredDetector>("kind",
+                                            {{"led", ConfiguredDetector::kLed},
+                                             {"sphere", ConfiguredDetector::kSphere},
+                                             {"apriltag", ConfiguredDetector::kAprilTag}},
+                                            d.kind);
+  switch (d.kind) {
+    case ConfiguredDetector::kLed:
+      read_leds(table, d);
+      break;
+    case ConfiguredDetector::kSphere:
+      read_spheres(table, d);
+      break;
+    case ConfiguredDetector::kAprilTag:
+      d.min_margin = table.number("min_margin", {0.0, 255.0}, d.min_margin);
+      break;
   }
   table.finish();
   return d;

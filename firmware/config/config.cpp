@@ -35,7 +35,7 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   config.calibration_file = file_from(root.table("calibration"), folder);
   config.recording = recording_from(root.table("recording"), folder, config.cameras.source);
   config.detector = detector_from(root.table("detector"));
-  if (config.cameras.format == ConfiguredFormat::kGrey) {
+  if (config.cameras.format == ConfiguredFormat::kGrey && config.detector.kind != ConfiguredDetector::kAprilTag) {
     root.table("cameras").refuse("format",
                                  "red LEDs and spheres cannot be told from other things without colour: permitted "
                                  "is \"yuyv\" or \"mjpeg\"");

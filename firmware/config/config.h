@@ -23,7 +23,7 @@ enum class CameraSource : std::uint8_t { kV4l2, kSimulation, kRecording };
 enum class ConfiguredFormat : std::uint8_t { kYuyv, kMjpeg, kGrey };
 enum class ConfiguredFrame : std::uint8_t { kReference, kLeftCamera };
 enum class ConfiguredMethod : std::uint8_t { kMaximumLikelihood, kPaper };
-enum class ConfiguredDetector : std::uint8_t { kLed, kSphere };
+enum class ConfiguredDetector : std::uint8_t { kLed, kSphere, kAprilTag };
 enum class ModulationLines : std::uint8_t { kSimulated };
 enum class SimulatedLines : std::uint8_t { kWorking, kStuckLit, kStuckOut };
 enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume };
@@ -59,7 +59,7 @@ struct RecordingConfig {
   std::filesystem::path folder;
 };
 
-/// The names and units of LedDetectorSettings and of SphereSettings; those of the kind are read.
+/// The names and units of LedDetectorSettings, SphereSettings and TagDetectorSettings; those of the kind are read.
 struct DetectorConfig {
   ConfiguredDetector kind = ConfiguredDetector::kLed;
   int min_peak = 780;
@@ -69,6 +69,7 @@ struct DetectorConfig {
   double max_radius_px = 120.0;
   double min_redness = 0.4;
   double min_fill = 0.5;
+  double min_margin = 25.0;
 };
 
 /// The working volume in the output frame.

@@ -16,8 +16,7 @@ double longest_stamp_error_ms(const CamerasConfig& cameras) {
 
 void check_detector(TableReader& table, const DetectorConfig& detector) {
   if (detector.kind == ConfiguredDetector::kLed) return;
-  table.refuse("enabled",
-               "spheres only reflect and cannot be switched: permitted with detector.kind \"sphere\" is false");
+  table.refuse("enabled", "only LEDs can be switched: permitted with a detector.kind other than \"led\" is false");
 }
 
 /// A line that nobody switches must not look like one.

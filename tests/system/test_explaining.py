@@ -3,27 +3,15 @@
 import json
 import struct
 import subprocess
-import zlib
 from pathlib import Path
 from typing import Any
 
 import pytest
 from system.daemon import CONFIG, finished
+from system.pictures import png
 
 LIMIT_S = 60.0
 RED, DARK = (255, 40, 25), (8, 8, 8)
-
-
-def png(width_px: int, height_px: int, rgb: bytes, *, grey: bool = False) -> bytes:
-    """A PNG file of rows of RGB or grey."""
-
-    def chunk(kind: bytes, data: bytes) -> bytes:
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    row = width_px * (1 if grey else 3)
-    rows = b"".join(b"\0" + rgb[y * row : (y + 1) * row] for y in range(height_px))
-    header = struct.pack(">IIBBBBB", width_px, height_px, 8, 0 if grey else 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
 def lights(path: Path, size_px: tuple[int, int], places: list[tuple[int, int]]) -> Path:

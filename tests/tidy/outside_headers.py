@@ -9,7 +9,7 @@ from __future__ import annotations
 # A name that ends in "/" stands for all below it.
 ROOMS: dict[str, set[str]] = {
     # libraries
-    "Eigen/": {"values", "geometry", "line/detect", "line/match", "line/pose", "calibration", "serve", "bench"},
+    "Eigen/": {"values", "geometry", "line/detect", "line/match", "line/pose", "tags", "calibration", "serve", "bench"},
     "tl/expected.hpp": {"values"},
     "fmt/": {
         *("app", "calibration", "capture", "config", "devices", "document", "explain", "net", "recording", "serve"),
@@ -24,6 +24,7 @@ ROOMS: dict[str, set[str]] = {
     "jpeglib.h": {"capture", "sim"},
     "jerror.h": {"capture"},
     "png.h": {"capture", "explain"},
+    "apriltag/": {"tags"},
     "opencv2/": {"bench"},  # what the detector is measured against
     "zlib.h": {"fuzz"},
     # devices and descriptors

@@ -95,7 +95,7 @@ TEST(DetectorConfigTest, TheLimitsOfADetectorAreRanges) {
   EXPECT_EQ(config_with({"detector.min_peak=900", "detector.min_contrast=50"})->detector.min_peak, 900);
   EXPECT_EQ(config_with({"detector.min_emission=-0.1"})->detector.min_emission, -0.1);
   EXPECT_FALSE(config_with({"detector.min_emission=-0.3"}).has_value());
-  EXPECT_THAT(message_with({"detector.kind=apriltag"}), HasSubstr("permitted is \"led\" or \"sphere\""));
+  EXPECT_THAT(message_with({"detector.kind=aruco"}), HasSubstr("\"led\", \"sphere\" or \"apriltag\""));
 }
 
 TEST(DetectorConfigTest, TheLimitsOfSpheresAreRanges) {
@@ -122,10 +122,20 @@ TEST(DetectorConfigTest, TheSmallestSphereIsNotAboveTheLargest) {
 TEST(DetectorConfigTest, KeysOfTheOtherDetectorAreUnknown) {
   EXPECT_THAT(message_with({"detector.min_fill=0.5"}), HasSubstr("detector.min_fill"));
   EXPECT_THAT(message_with({"detector.kind=sphere", "detector.min_peak=900"}), HasSubstr("detector.min_peak"));
+  EXPECT_THAT(message_with({"detector.min_margin=30"}), HasSubstr("detector.min_margin"));
+  EXPECT_THAT(message_with({"detector.kind=apriltag", "detector.min_fill=0.5"}), HasSubstr("detector.min_fill"));
 }
 
 TEST(DetectorConfigTest, SpheresOnGreyAreAnErrorAsWell) {
   EXPECT_THAT(message_with({"cameras.format=grey", "detector.kind=sphere"}), HasSubstr("without colour"));
+}
+
+TEST(DetectorConfigTest, TagsNeedNoColour) {
+  const auto config = config_with({"cameras.format=grey", "detector.kind=apriltag", "detector.min_margin=30"});
+  ASSERT_TRUE(config) << config.error().message;
+  EXPECT_EQ(config->detector.kind, ConfiguredDetector::kAprilTag);
+  EXPECT_EQ(config->detector.min_margin, 30.0);
+  EXPECT_FALSE(config_with({"detector.kind=apriltag", "detector.min_margin=256"}));
 }
 
 TEST(SimulationConfigTest, EveryKeyIsRead) {

@@ -40,7 +40,7 @@ TEST(ModulationConfigTest, RealAndRecordedCamerasHaveNoLinesAndAreRefused) {
 
 TEST(ModulationConfigTest, SpheresCannotBeSwitched) {
   EXPECT_THAT(message_with({"modulation.enabled=true", "detector.kind=sphere"}),
-              HasSubstr("permitted with detector.kind \"sphere\" is false"));
+              HasSubstr("permitted with a detector.kind other than \"led\" is false"));
 }
 
 TEST(ModulationConfigTest, GreyIsRefusedWithModulationToo) {

@@ -1,0 +1,175 @@
+#include "tags/edge_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "values/fixed_vector.h"
+
+namespace tripoint {
+namespace {
+
+constexpr std::size_t kMostCrossings = 48;
+constexpr std::size_t kFewestCrossings = 5;
+constexpr double kSpacing_px = 1.5;       // apart enough that the noise of one says little of the next
+constexpr double kCornerMargin_px = 2.0;  // blur rounds the corners
+constexpr double kStep_px = 0.5;          // across the edge
+constexpr double kWidestReach_px = 4.0;
+constexpr double kLeastContrast = 10.0;    // luma steps: five times the noise of a cheap camera
+constexpr double kShareSeen = 0.6;         // of the crossings; fewer, and a part of the edge is hidden
+constexpr double kOutlier = 3.0;           // deviations
+constexpr double kLeastScatter_px = 0.02;  // of a crossing: what interpolation between pixels errs by
+
+struct Crossing {
+  double along_px = 0.0;
+  double across_px = 0.0;
+  double inside = 0.0;   // luma
+  double outside = 0.0;  // luma
+};
+using Crossings = FixedVector<Crossing, kMostCrossings>;
+
+/// The edge's own axes.
+struct Axes {
+  Vec2 from_px;
+  Vec2 along;
+  Vec2 outwards;
+  double length_px = 0.0;
+};
+
+Axes axes_of(const RoughEdge& edge) {
+  const Vec2 way_px = edge.to_px - edge.from_px;
+  const double length_px = way_px.norm();
+  const Vec2 along = way_px / std::max(length_px, 1e-9);
+  return {edge.from_px, along, {-along.y(), along.x()}, length_px};
+}
+
+enum class Look { kSeen, kBorder, kFlat };
+
+/// One line across the edge: the centroid of the slope of the luma from the inside to the outside.
+Look look_across(const LumaCopy& luma, const RoughEdge& edge, const Axes& axes, Crossing& crossing) {
+  const Vec2 middle_px = axes.from_px + crossing.along_px * axes.along;
+  const int steps = std::max(2, static_cast<int>(std::lround(std::min(edge.reach_px, kWidestReach_px) / kStep_px)));
+  double last = 0.0;
+  double moment = 0.0;
+  for (int step = -steps; step <= steps; ++step) {
+    const std::optional<double> value = luma.at(middle_px + step * kStep_px * axes.outwards);
+    if (!value) return Look::kBorder;
+    if (step == -steps) {
+      crossing.inside = *value;
+    } else {
+      moment += (*value - last) * (step - 0.5) * kStep_px;
+    }
+    last = *value;
+  }
+  crossing.outside = last;
+  const double rise = crossing.outside - crossing.inside;
+  if ((edge.light_inside ? -rise : rise) < kLeastContrast) return Look::kFlat;
+  crossing.across_px = moment / rise;
+  return std::abs(crossing.across_px) < steps * kStep_px ? Look::kSeen : Look::kFlat;
+}
+
+struct Line {
+  double mean_along_px = 0.0;
+  double mean_across_px = 0.0;
+  double slope = 0.0;
+  double spread_px2 = 0.0;  // sum of squares along
+  double scatter_px = 0.0;  // of a crossing about the line
+};
+
+Line line_through(std::span<const Crossing> crossings) {
+  Line line;
+  const auto count = static_cast<double>(crossings.size());
+  for (const Crossing& crossing : crossings) {
+    line.mean_along_px += crossing.along_px / count;
+    line.mean_across_px += crossing.across_px / count;
+  }
+  double mixed_px2 = 0.0;
+  for (const Crossing& crossing : crossings) {
+    const double along_px = crossing.along_px - line.mean_along_px;
+    line.spread_px2 += along_px * along_px;
+    mixed_px2 += along_px * (crossing.across_px - line.mean_across_px);
+  }
+  line.slope = mixed_px2 / line.spread_px2;
+  double squares_px2 = 0.0;
+  for (const Crossing& crossing : crossings) {
+    const double off_px =
+        crossing.across_px - line.mean_across_px - line.slope * (crossing.along_px - line.mean_along_px);
+    squares_px2 += off_px * off_px;
+  }
+  line.scatter_px = std::sqrt(squares_px2 / (count - 2.0));
+  return line;
+}
+
+double off_line_px(const Crossing& crossing, const Line& line) {
+  return std::abs(crossing.across_px - line.mean_across_px - line.slope * (crossing.along_px - line.mean_along_px));
+}
+
+/// Those within three deviations of the line through all, the deviation taken from the median.
+Crossings without_outliers(const Crossings& all) {
+  const Line line = line_through({all.begin(), all.size()});
+  std::array<double, kMostCrossings> off_px{};
+  for (std::size_t i = 0; i < all.size(); ++i) off_px[i] = off_line_px(all[i], line);
+  std::array<double, kMostCrossings> sorted_px = off_px;
+  auto* const middle = sorted_px.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(sorted_px.begin(), middle, sorted_px.begin() + static_cast<std::ptrdiff_t>(all.size()));
+  const double deviation_px = std::max(1.4826 * *middle, kLeastScatter_px);  // of a normal distribution
+  Crossings kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (off_px[i] <= kOutlier * deviation_px) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
+EdgeFit refused(TagCause cause) { return {cause, {}}; }
+
+EdgeFit fit_of(const Crossings& crossings, const RoughEdge& edge, const Axes& axes) {
+  const Line line = line_through({crossings.begin(), crossings.size()});
+  if (line.scatter_px > edge.most_scatter_px) return refused(TagCause::kCrookedEdge);
+  const double variance_px2 = std::pow(std::max(line.scatter_px, kLeastScatter_px), 2);
+  double inside = 0.0;
+  double outside = 0.0;
+  const auto count = static_cast<double>(crossings.size());
+  for (const Crossing& crossing : crossings) {
+    inside += crossing.inside / count;
+    outside += crossing.outside / count;
+  }
+  EdgeFit fit;
+  fit.line.middle_px = axes.from_px + line.mean_along_px * axes.along + line.mean_across_px * axes.outwards;
+  fit.line.along = (axes.along + line.slope * axes.outwards).normalized();
+  fit.line.across_variance_px2 = variance_px2 / count;
+  fit.line.angle_variance_rad2 = variance_px2 / line.spread_px2;
+  fit.line.light = edge.light_inside ? inside : outside;
+  fit.line.dark = edge.light_inside ? outside : inside;
+  return fit;
+}
+
+}  // namespace
+
+EdgeFit edge_line(const LumaCopy& luma, const RoughEdge& edge) {
+  const Axes axes = axes_of(edge);
+  const double usable_px = axes.length_px - 2.0 * kCornerMargin_px;
+  const auto planned = static_cast<std::size_t>(
+      std::clamp(usable_px / kSpacing_px, 0.0, static_cast<double>(kMostCrossings) - 1.0) + 1.0);
+  if (usable_px <= 0.0 || planned < kFewestCrossings) return refused(TagCause::kTooSmall);
+
+  Crossings seen;
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < planned; ++i) {
+    Crossing crossing;
+    crossing.along_px = kCornerMargin_px + usable_px * static_cast<double>(i) / (static_cast<double>(planned) - 1.0);
+    const Look look = look_across(luma, edge, axes, crossing);
+    if (look == Look::kSeen) seen.push_back(crossing);
+    if (look == Look::kBorder) ++beyond;
+  }
+  const std::size_t needed =
+      std::max(kFewestCrossings, static_cast<std::size_t>(kShareSeen * static_cast<double>(planned)));
+  if (seen.size() < needed) return refused(beyond > 0 ? TagCause::kCutByBorder : TagCause::kNoContrast);
+  const Crossings kept = without_outliers(seen);
+  if (kept.size() < needed) return refused(TagCause::kCrookedEdge);
+  return fit_of(kept, edge, axes);
+}
+
+}  // namespace tripoint

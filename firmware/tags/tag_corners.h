@@ -1,0 +1,43 @@
+// The corners of a decoded tag as the places where its edges meet.
+#pragma once
+
+#include <array>
+
+#include "tags/tag_cause.h"
+#include "tags/tag_decoder.h"
+#include "values/linear.h"
+
+namespace tripoint {
+
+using CornerCovariance = Eigen::Matrix<double, 2 * kTagCorners, 2 * kTagCorners>;
+
+/// Measured when the cause is kKept. Otherwise rough: the corners are the decoder's, to about a pixel.
+struct TagOutline {
+  TagCause cause = TagCause::kKept;
+  std::array<RawPixel, kTagCorners> corners_px;  ///< in the order of the decoder
+  /// Over u and v of corner 0, of corner 1 and so on. Neighbours share an edge, and so its error.
+  CornerCovariance covariance_px2 = CornerCovariance::Identity();
+  double light = 0.0;  ///< mean luma on the light side of the edges; 0 of a rough one
+  double dark = 0.0;   ///< on the dark side; likewise
+};
+
+/// The library's own corners err by up to a pixel, and in each of its versions in another way: they are only where
+/// looking begins. Edges are taken for straight; a lens that bends them moves the corners of large tags.
+///
+/// @return rough with the cause of the first edge that cannot be measured, or with kMovedCorner
+TagOutline tag_outline(const LumaCopy& luma, const DecodedTag& tag, const TagShape& shape);
+
+struct MeasuredPlace {
+  RawPixel at;
+  Matrix2 covariance_px2 = Matrix2::Zero();
+};
+
+/// Where the decoder says, with the deviation of a pixel.
+TagOutline rough_outline(const DecodedTag& tag, TagCause cause);
+
+/// One corner.
+MeasuredPlace corner_of(const TagOutline& outline, std::size_t corner);
+/// The picture of the tag's centre: the diagonals meet there, however the tag is turned.
+MeasuredPlace centre_of(const TagOutline& outline);
+
+}  // namespace tripoint

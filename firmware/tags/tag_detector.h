@@ -1,0 +1,48 @@
+// AprilTags in a picture: decoded by libapriltag, measured by their edges.
+#pragma once
+
+#include <string>
+
+#include "ports/frame.h"
+#include "tags/luma_copy.h"
+#include "tags/tag_corners.h"
+#include "tags/tag_decoder.h"
+#include "values/fixed_vector.h"
+#include "values/result.h"
+
+namespace tripoint {
+
+struct TagDetectorSettings {
+  std::string family = "tag36h11";
+  /// Luma steps. Below lie squares that chance makes a tag.
+  double min_margin = 25.0;
+};
+
+struct SeenTag {
+  DecodedTag decoded;
+  TagOutline outline;
+};
+
+struct SeenTags {
+  FixedVector<SeenTag, kMaxDecodedTags> tags;  ///< by id; the same id may be there more than once
+  bool cut = false;                            ///< there were more
+};
+
+/// Room for pictures of one size; allocates when it changes, and libapriltag in every picture.
+class TagDetector {
+ public:
+  /// @return as TagDecoder::open
+  static Result<TagDetector> open(const TagDetectorSettings& settings);
+
+  /// @param picture  whole, of any pixel format: only its luma is read
+  SeenTags detect(const Picture& picture);
+
+ private:
+  TagDetector(TagDecoder decoder, double min_margin);
+
+  TagDecoder decoder_;
+  double min_margin_;
+  LumaCopy luma_;
+};
+
+}  // namespace tripoint
