@@ -101,10 +101,9 @@ TEST_F(RealTagsTest, InDuckietownAsManyTagsAsItsListCounts) {
   const std::vector<std::size_t> counts{6, 5, 6, 6, 4, 6, 6, 3, 5, 4};
   const std::vector<int> ids_of_set{22, 24, 58, 85, 144, 198};
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    std::array<char, 64> file{};
-    std::snprintf(file.data(), file.size(), "apriltag_duckietown/test_image_multiple_%02zu.png", i + 1);
-    const std::vector<int> ids = ids_in(file.data());
-    EXPECT_EQ(ids.size(), counts[i]) << file.data();
+    const std::string number = (i < 9 ? "0" : "") + std::to_string(i + 1);
+    const std::vector<int> ids = ids_in("apriltag_duckietown/test_image_multiple_" + number + ".png");
+    EXPECT_EQ(ids.size(), counts[i]) << number;
     for (const int id : ids) EXPECT_TRUE(std::count(ids_of_set.begin(), ids_of_set.end(), id)) << id;
   }
 }
