@@ -54,6 +54,11 @@ fuzz: setup ## fuzz every outside door for FUZZ_SECONDS each
 	@deploy/dev/install test
 	@FUZZ_SECONDS=$(FUZZ_SECONDS) tests/run fuzz
 
+.PHONY: coverage
+coverage: setup ## the share of lines that the unit tests reach, room by room
+	@deploy/dev/install coverage
+	@tests/run coverage
+
 .PHONY: bench
 bench: build ## measure the figures of the product; writes build/bench.json
 	@deploy/dev/install bench

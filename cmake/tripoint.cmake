@@ -20,7 +20,7 @@ if(TRIPOINT_FUZZ)  # every room tells the fuzzer which of its branches an input 
   target_compile_options(tripoint_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 if(TRIPOINT_COVERAGE)
-  target_compile_options(tripoint_flags INTERFACE --coverage)
+  target_compile_options(tripoint_flags INTERFACE --coverage -fprofile-update=atomic)  # threads count too
   target_link_options(tripoint_flags INTERFACE --coverage)
 endif()
 # GCC 12 and 14 warn of these falsely at -O2 and above: Eigen trips the bounds heuristics, std::string -Wrestrict
