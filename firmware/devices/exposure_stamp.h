@@ -14,12 +14,7 @@ enum class StampPoint : std::uint8_t {
   kStartOfExposure,  ///< of row 0: uvcvideo with hwtimestamps=1, from the camera's own clock
 };
 
-struct StampTiming {
-  StampPoint point = StampPoint::kFirstByte;
-  Duration exposure{0};
-  Duration latency{0};  ///< from that moment to the stamp; measured per camera model
-};
-
-TimePoint middle_of_exposure(TimePoint stamp, const StampTiming& timing);
+/// @param exposure how long row 0 is exposed
+TimePoint middle_of_exposure(TimePoint stamp, StampPoint point, Duration exposure);
 
 }  // namespace tripoint

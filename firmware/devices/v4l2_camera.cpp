@@ -50,6 +50,7 @@ Result<std::unique_ptr<V4l2Camera>> V4l2Camera::open(const V4l2Settings& setting
 
   std::unique_ptr<V4l2Camera> camera(new V4l2Camera(settings, std::move(*buffers), clock));
   camera->stride_bytes_ = format->stride_bytes;
+  camera->stamp_point_ = driver.stamp_point();
   camera->info_ = {.name = name,
                    .port = settings.port,
                    .serial = settings.serial,
@@ -113,14 +114,13 @@ Result<Frame> V4l2Camera::frame_from(const FilledBuffer& filled) const {
                                info_.name));
   }
   const TimePoint arrived = clock_.now();
-  const StampTiming timing{settings_.stamp_point, info_.exposure, settings_.stamp_latency};
   return Frame{.side = settings_.side,
                .format = settings_.format,
                .size = settings_.size,
                .stride_bytes = stride_bytes_,
                .data = filled.bytes,
                .sequence = filled.sequence,
-               .exposed = middle_of_exposure(*filled.stamp, timing),
+               .exposed = middle_of_exposure(*filled.stamp, stamp_point_, info_.exposure),
                .arrived = arrived,
                .line_time = settings_.line_time};
 }

@@ -42,6 +42,7 @@ class V4l2Camera final : public Camera {
   V4l2Buffers buffers_;
   const Clock& clock_;
   std::size_t stride_bytes_ = 0;
+  StampPoint stamp_point_ = StampPoint::kFirstByte;
   CameraInfo info_;
   std::optional<std::uint32_t> held_;  ///< the buffer that the last frame looks into
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 
 namespace tripoint {
 
@@ -38,6 +39,12 @@ int KernelV4l2Driver::wait(int fd, Duration limit) {
 void* KernelV4l2Driver::map(int fd, std::size_t length, std::int64_t offset) {
   void* memory = ::mmap(nullptr, length, PROT_READ, MAP_SHARED, fd, offset);
   return memory == MAP_FAILED ? nullptr : memory;
+}
+
+StampPoint KernelV4l2Driver::stamp_point() const {
+  std::ifstream parameter(sys_ / "module/uvcvideo/parameters/hwtimestamps");
+  int by_camera = 0;
+  return parameter >> by_camera && by_camera != 0 ? StampPoint::kStartOfExposure : StampPoint::kFirstByte;
 }
 
 }  // namespace tripoint

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "devices/exposure_stamp.h"
 #include "ports/frame.h"
 #include "values/side.h"
+#include "values/time.h"
 
 namespace tripoint {
 
@@ -23,8 +23,6 @@ struct V4l2Settings {
   int white_balance_k = 4500;
   int focus = 0;
   Duration line_time{0};  ///< rolling shutter: row r is exposed r times this later
-  StampPoint stamp_point = StampPoint::kFirstByte;
-  Duration stamp_latency{0};  ///< from the moment of stamp_point to the driver's stamp
 };
 
 }  // namespace tripoint

@@ -1,6 +1,12 @@
 #include "devices/exposure_stamp.h"
 
+#include <filesystem>
+#include <fstream>
+#include <string>
+
 #include <gtest/gtest.h>
+
+#include "devices/v4l2_driver.h"
 
 namespace tripoint {
 namespace {
@@ -10,16 +16,35 @@ using namespace std::chrono_literals;
 constexpr TimePoint kStamp = time_from_ns(1'000'000'000);
 
 TEST(ExposureStampTest, TheFirstByteComesWhenTheExposureOfRow0IsOver) {
-  EXPECT_EQ(middle_of_exposure(kStamp, {StampPoint::kFirstByte, 4ms, 0ms}), kStamp - 2ms);
+  EXPECT_EQ(middle_of_exposure(kStamp, StampPoint::kFirstByte, 4ms), kStamp - 2ms);
 }
 
 TEST(ExposureStampTest, TheStartIsHalfAnExposureBeforeTheMiddle) {
-  EXPECT_EQ(middle_of_exposure(kStamp, {StampPoint::kStartOfExposure, 4ms, 0ms}), kStamp + 2ms);
+  EXPECT_EQ(middle_of_exposure(kStamp, StampPoint::kStartOfExposure, 4ms), kStamp + 2ms);
 }
 
-TEST(ExposureStampTest, LatencyIsTakenOffBoth) {
-  EXPECT_EQ(middle_of_exposure(kStamp, {StampPoint::kFirstByte, 4ms, 5ms}), kStamp - 7ms);
-  EXPECT_EQ(middle_of_exposure(kStamp, {StampPoint::kStartOfExposure, 4ms, 5ms}), kStamp - 3ms);
+/// A system whose uvcvideo has this parameter.
+class StampPointTest : public ::testing::Test {
+ protected:
+  StampPointTest() { std::filesystem::create_directories(parameters()); }
+  ~StampPointTest() override { std::filesystem::remove_all(sys_); }
+
+  StampPoint with(const std::string& hwtimestamps) {
+    std::ofstream(parameters() / "hwtimestamps") << hwtimestamps;
+    return KernelV4l2Driver(sys_).stamp_point();
+  }
+  [[nodiscard]] std::filesystem::path parameters() const { return sys_ / "module/uvcvideo/parameters"; }
+
+  std::filesystem::path sys_ = std::filesystem::path(::testing::TempDir()) / "stamp_point_test";
+};
+
+TEST_F(StampPointTest, UvcvideoStampsTheFirstByteUnlessToldOtherwise) {
+  EXPECT_EQ(KernelV4l2Driver(sys_).stamp_point(), StampPoint::kFirstByte);  // the module has no such parameter
+  EXPECT_EQ(with("0\n"), StampPoint::kFirstByte);
+}
+
+TEST_F(StampPointTest, WithHardwareStampsItIsTheStartOfTheExposure) {
+  EXPECT_EQ(with("1\n"), StampPoint::kStartOfExposure);
 }
 
 }  // namespace

@@ -77,7 +77,11 @@ void* FakeV4l2Driver::map(int, std::size_t length, std::int64_t) {
   return memory;
 }
 
-std::uint32_t FakeV4l2Driver::image_bytes() const { return (width * 2 + padding_bytes) * height; }
+std::uint32_t FakeV4l2Driver::row_bytes() const {
+  return width * (fourcc == V4L2_PIX_FMT_GREY ? 1 : 2) + padding_bytes;
+}
+
+std::uint32_t FakeV4l2Driver::image_bytes() const { return row_bytes() * height; }
 
 int FakeV4l2Driver::describe_capability(void* argument) {
   as<v4l2_capability>(argument).capabilities = capabilities | V4L2_CAP_DEVICE_CAPS;
@@ -91,7 +95,7 @@ int FakeV4l2Driver::set_format(void* argument) {
   pix.height = height;
   pix.pixelformat = fourcc;
   pix.field = field;
-  pix.bytesperline = fourcc == V4L2_PIX_FMT_YUYV ? width * 2 + padding_bytes : 0;
+  pix.bytesperline = fourcc == V4L2_PIX_FMT_MJPEG ? 0 : row_bytes();
   pix.sizeimage = image_bytes();
   return 0;
 }
@@ -145,6 +149,8 @@ int FakeV4l2Driver::read_control(void* argument) {
 }
 
 int FakeV4l2Driver::give_buffers(void* argument) {
+  memory_.clear();
+  queued_.clear();
   as<v4l2_requestbuffers>(argument).count = buffers_given;
   return 0;
 }

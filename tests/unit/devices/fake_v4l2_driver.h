@@ -56,9 +56,11 @@ class FakeV4l2Driver final : public V4l2Driver {
   int control(int fd, unsigned long request, void* argument) override;
   int wait(int fd, Duration limit) override;
   void* map(int fd, std::size_t length, std::int64_t offset) override;
+  [[nodiscard]] StampPoint stamp_point() const override { return stamps; }
 
   std::map<unsigned long, int> failures;  ///< request -> -errno
   int open_failure = 0;
+  StampPoint stamps = StampPoint::kFirstByte;
   bool map_fails = false;
   std::uint32_t capabilities = 0;  ///< of the node; set to a camera's at construction
   std::uint32_t buffers_given = 4;
@@ -85,6 +87,7 @@ class FakeV4l2Driver final : public V4l2Driver {
   int describe_buffer(void* argument);
   int queue(void* argument);
   int dequeue(void* argument);
+  [[nodiscard]] std::uint32_t row_bytes() const;  ///< MJPEG: as many as its largest pictures could take
   [[nodiscard]] std::uint32_t image_bytes() const;
 
   WaitingClock& clock_;

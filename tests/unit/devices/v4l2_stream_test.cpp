@@ -1,4 +1,5 @@
 // An open camera: frames, and everything that can happen instead of one.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/videodev2.h>
@@ -7,6 +8,7 @@
 #include <cerrno>
 
 #include "devices/v4l2_camera.h"
+#include "devices/v4l2_format.h"
 #include "fake_v4l2_driver.h"
 
 namespace tripoint {
@@ -19,7 +21,9 @@ using namespace std::chrono_literals;
 
 class V4l2StreamTest : public testing::Test {
  protected:
-  void SetUp() override {
+  void SetUp() override { open_camera(); }
+  void open_camera() {
+    camera_.reset();
     auto opened = V4l2Camera::open(settings_, driver_, clock_);
     ASSERT_TRUE(opened) << opened.error().message;
     camera_ = std::move(*opened);
@@ -38,8 +42,7 @@ class V4l2StreamTest : public testing::Test {
   V4l2Settings settings_{.side = Side::kLeft,
                          .node = "/dev/video0",
                          .exposure = std::chrono::microseconds(4000),
-                         .line_time = Duration{30'000},
-                         .stamp_latency = 1ms};
+                         .line_time = Duration{30'000}};
   std::unique_ptr<V4l2Camera> camera_;
 };
 
@@ -58,10 +61,47 @@ TEST_F(V4l2StreamTest, AFrameLooksIntoTheDriversBuffer) {
   EXPECT_EQ(frame->arrived, clock_.now());
 }
 
+TEST_F(V4l2StreamTest, EveryFormatComesInEverySize) {
+  struct Format {
+    PixelFormat format;
+    std::uint32_t fourcc;
+    std::size_t bytes_of_pixel;
+    bool in_rows;
+  };
+  for (const Format& given : {Format{PixelFormat::kYuyv, V4L2_PIX_FMT_YUYV, 2, true},
+                              Format{PixelFormat::kMjpeg, V4L2_PIX_FMT_MJPEG, 2, false},
+                              Format{PixelFormat::kGrey, V4L2_PIX_FMT_GREY, 1, true}}) {
+    for (const ImageSize size : {ImageSize{320, 240}, ImageSize{640, 480}, ImageSize{1280, 720}}) {
+      SCOPED_TRACE(fmt::format("{} {}x{}", name(given.format), size.width_px, size.height_px));
+      const auto width = static_cast<std::size_t>(size.width_px);
+      driver_.fourcc = given.fourcc;
+      driver_.width = static_cast<std::uint32_t>(size.width_px);
+      driver_.height = static_cast<std::uint32_t>(size.height_px);
+      settings_.format = given.format;
+      settings_.size = size;
+      open_camera();
+      will_deliver({{.sequence = 3, .value = 42}});
+      const auto frame = camera_->next_frame(500ms);
+      ASSERT_TRUE(frame) << frame.error().message;
+      EXPECT_EQ(frame->format, given.format);
+      EXPECT_EQ(frame->size, size);
+      EXPECT_EQ(frame->stride_bytes, given.in_rows ? width * given.bytes_of_pixel : 0);
+      EXPECT_EQ(frame->data.size(), width * given.bytes_of_pixel * static_cast<std::size_t>(size.height_px));
+    }
+  }
+}
+
 TEST_F(V4l2StreamTest, TheStampBecomesTheMiddleOfTheExposure) {
   will_deliver({{.stamp_us = 9'999'000}});
-  // The driver's flag says start of exposure, as uvcvideo always does; the stamp is the first byte's, 1 ms late.
-  EXPECT_EQ(camera_->next_frame(500ms)->exposed, time_from_ns(9'999'000'000) - 1ms - 2ms);
+  // The driver's flag says start of exposure, as uvcvideo always does; the stamp is the first byte's.
+  EXPECT_EQ(camera_->next_frame(500ms)->exposed, time_from_ns(9'999'000'000) - 2ms);
+}
+
+TEST_F(V4l2StreamTest, StampsOfTheCamerasClockStandForTheStart) {
+  driver_.stamps = StampPoint::kStartOfExposure;
+  open_camera();
+  will_deliver({{.stamp_us = 9'999'000}});
+  EXPECT_EQ(camera_->next_frame(500ms)->exposed, time_from_ns(9'999'000'000) + 2ms);
 }
 
 TEST_F(V4l2StreamTest, AStampOfAnotherClockIsAFault) {
