@@ -1,5 +1,6 @@
 #include "geometry/paper.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kVirtualFocalMm = 1.0;  // any length will do: it cancels
 constexpr double kLeastDepthShare = 1e-6;
+constexpr double kParallelRad = 1e-12;  // less moves a point by less than rounding does
 
 /// A camera turned about its lens centre into the paper's model.
 struct VirtualCamera {
@@ -78,15 +80,32 @@ Matrix3 covariance_of(const Rig& rig, const PerSide<Ray>& rays, const PerSide<Me
   return point_by_image * image_covariance * point_by_image.transpose();
 }
 
+/// Lens centres on the rig's x axis and axes along z: the geometry of Eq. 10.
+bool is_parallel(const PerSide<VirtualCamera>& turned) {
+  return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+    return std::abs(turned[side].angle_rad) < kParallelRad &&
+           turned[side].center_in_rig_mm.tail<2>().norm() < kParallelRad * turned[side].center_in_rig_mm.norm();
+  });
+}
+
+/// Eq. 10, whose frame has its origin midway between the picture planes, in the rig.
+Result<Vec3> point_of_parallel(const PerSide<VirtualCamera>& turned, const PerSide<PaperCamera>& cameras) {
+  const PerSide<Vec3> centers{turned.left.center_in_rig_mm, turned.right.center_in_rig_mm};
+  const Vec3 lens_in_paper{0.0, 0.0, kVirtualFocalMm};
+  return point_by_equation_10(
+             {kVirtualFocalMm, centers.right.x() - centers.left.x(), {cameras.left.image, cameras.right.image}})
+      .map([&](const Vec3& point) -> Vec3 { return point - lens_in_paper + 0.5 * (centers.left + centers.right); });
+}
+
 Result<Vec3> point_of_rays(const Rig& rig, const PerSide<Ray>& rays, double min_angle_rad) {
+  const PerSide<VirtualCamera> turned{virtual_camera(rig, Side::kLeft), virtual_camera(rig, Side::kRight)};
   PerSide<PaperCamera> cameras;
   for (const Side side : kBothSides) {
-    const VirtualCamera turned = virtual_camera(rig, side);
-    const Vec3 direction = turned.turned_from_rig * rays[side].direction_in_rig;
+    const Vec3 direction = turned[side].turned_from_rig * rays[side].direction_in_rig;
     if (!(direction.z() > kLeastDepthShare)) return failure(ErrorCode::kDegenerate);
-    cameras[side] = paper_camera(side, turned, direction);
+    cameras[side] = paper_camera(side, turned[side], direction);
   }
-  return point_by_equation_7(cameras, min_angle_rad);
+  return is_parallel(turned) ? point_of_parallel(turned, cameras) : point_by_equation_7(cameras, min_angle_rad);
 }
 
 Vec2 reprojection_error_px(const Rig& rig, Side side, const RawPixel& seen, const Vec3& point_in_rig) {

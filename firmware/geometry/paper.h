@@ -36,10 +36,10 @@ struct ParallelPair {
 };
 Result<Vec3> point_by_equation_10(const ParallelPair& pair);
 
-/// The paper's method for any rig, by Eq. 7 and 8 throughout: the pixels are undistorted, and each camera is
-/// turned about its own lens centre (a homography of its picture, exact) until its axis lies in the rig's x-z
-/// plane without roll, which is the paper's model; what remains of its axis is the angle of Eq. 7, the offsets put
-/// the lens centres where the rig has them. Parallel axes are the case of angle zero, in which Eq. 7 is Eq. 10.
+/// The paper's method for any rig: the pixels are undistorted, and each camera is turned about its own lens centre
+/// (a homography of its picture, exact) until its axis lies in the rig's x-z plane without roll, which is the paper's
+/// model. Parallel axes give the point by Eq. 10. Otherwise it is Eq. 7 and 8: what remains of an axis is its angle,
+/// the offsets put the lens centres where the rig has them.
 ///
 /// @return the point with its covariance by first-order propagation; chi2 is the squared epipolar error in
 ///         standard deviations, residual_px the reprojection errors (left is zero but for rounding, as Y comes from it)

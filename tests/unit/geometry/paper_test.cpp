@@ -130,6 +130,15 @@ TEST(PaperTest, ForAnyRigExactPixelsGiveThePublishedPoints) {
   }
 }
 
+TEST(PaperTest, ForParallelAxesExactPixelsGiveThePoint) {
+  const Rig rig = parallel_rig(600.0, 100.0);
+  for (const Vec3& truth : {Vec3{0.0, 0.0, 400.0}, Vec3{-80.0, 60.0, 350.0}, Vec3{70.0, -40.0, 500.0}}) {
+    const auto point = triangulated_by_paper(rig, seen_exactly(rig, truth));
+    ASSERT_TRUE(point.has_value());
+    EXPECT_NEAR((point->in_rig_mm - truth).norm(), 0.0, kVectorMm);
+  }
+}
+
 TEST(PaperTest, TheHeightComesFromTheLeftCameraAlone) {
   const Rig rig = general_rig();
   auto seen = seen_exactly(rig, {20.0, 10.0, 400.0});
