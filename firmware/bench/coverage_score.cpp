@@ -4,11 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
-#include <vector>
 
-#include "bench/drawn_calibration.h"
 #include "geometry/rigid_fit.h"
 #include "line/gate/gate.h"
 #include "line/match/match.h"
@@ -19,7 +16,6 @@
 namespace tripoint::bench {
 namespace {
 
-constexpr std::uint64_t kAdjustmentSeed = 1;
 // 95 % of chi-square with three and with six degrees of freedom.
 constexpr double kMostOfPosition = 7.815;
 constexpr double kMostOfPose = 12.592;
@@ -30,71 +26,6 @@ const std::array<Vec3, 4> kFour{Vec3(0.0, 0.0, 0.0), Vec3(100.0, 0.0, 0.0), Vec3
                                 Vec3(50.0, 20.0, 40.0)};
 const std::array<CoveredTarget, 3> kTargets{
     {{"one LED", "one", kOne}, {"three LEDs", "three", kTriangle}, {"four LEDs", "four", kFour}}};
-
-/// Draws calibrations and targets in error.
-class Errors {
- public:
-  Errors(const StereoCalibration& truth, const ErrorSources& sources) : truth_(truth), sources_(sources) {
-    if (sources.calibration_px == 0.0) return;
-    covariance_ = adjustment_covariance(truth, sources.calibration_px, kAdjustmentSeed);
-    scale_ = covariance_.diagonal().cwiseSqrt();
-    const RigParameters inverse = scale_.cwiseInverse();
-    root_ = RigCovariance(inverse.asDiagonal() * covariance_ * inverse.asDiagonal()).llt().matrixL();
-  }
-
-  [[nodiscard]] const RigCovariance& covariance() const { return covariance_; }
-
-  StereoCalibration calibration(std::mt19937_64& random) const {
-    std::normal_distribution<double> normal;
-    RigParameters white;
-    for (double& value : white) value = normal(random);
-    const PerSide<ImageSize> sizes{truth_.cameras.left.size, truth_.cameras.right.size};
-    return calibration_of(parameters_of(truth_) + scale_.cwiseProduct(root_ * white), sizes);
-  }
-  std::vector<Vec3> target(std::span<const Vec3> leds_mm, std::mt19937_64& random) const {
-    std::normal_distribution<double> normal;
-    std::vector<Vec3> made_mm;
-    for (const Vec3& led_mm : leds_mm) {
-      made_mm.emplace_back(led_mm + sources_.target_mm * Vec3::NullaryExpr([&] { return normal(random); }));
-    }
-    return made_mm;
-  }
-
- private:
-  StereoCalibration truth_;
-  ErrorSources sources_;
-  RigCovariance covariance_ = RigCovariance::Zero();
-  RigParameters scale_ = RigParameters::Zero();
-  RigCovariance root_ = RigCovariance::Zero();
-};
-
-LineModel model_of(std::span<const Vec3> leds_mm, const StereoCalibration& calibration, const RigCovariance& spread,
-                   double target_mm) {
-  LineModel model;
-  model.calibration = calibration;
-  model.rig = rig_of(calibration).value();
-  model.covariance = spread;
-  model.volume = WorkingVolume{{-300.0, -300.0, 150.0}, {300.0, 300.0, 800.0}};
-  for (const Vec3& led : leds_mm) {
-    model.target.points.push_back({static_cast<int>(model.target.points.size()) + 1, led, 2.0 * target_mm});
-  }
-  return model;
-}
-
-Aligned aligned(const TargetView& view, double sigma_px) {
-  Aligned seen;
-  seen.due = seen.common_time = true;
-  for (const Side side : kBothSides) {
-    for (const ViewedSpot& spot : view.spots[side]) {
-      AlignedPoint point;
-      point.seen.at = spot.at;
-      point.seen.covariance_px2 = sigma_px * sigma_px * Matrix2::Identity();
-      seen.points[side].push_back(point);
-      ++seen.spots[side];
-    }
-  }
-  return seen;
-}
 
 /// Position, mm, and rotation vector, rad, about the axes of the output frame.
 PoseParameters error_of(const TargetPose& measured, const Isometry3& truth) {
@@ -143,15 +74,15 @@ CoverageScore coverage_score(std::span<const Vec3> leds_mm, const ErrorSources& 
                            .mirror_share = 0.0,
                            .middle_mm = {0.0, 0.0, 400.0},
                            .half_mm = {150.0, 150.0, 100.0}};
-  const Errors errors(truth, sources);
+  const ErringUnits units(truth, sources);
   CoverageScore score;
   Sums sums;
   for (; score.views < views; ++score.views) {
     const auto seed = first_seed + static_cast<std::uint64_t>(score.views);
     std::mt19937_64 random(~seed);
-    const LineModel model = model_of(leds_mm, errors.calibration(random), errors.covariance(), sources.target_mm);
-    const TargetView view = target_view(rig, errors.target(leds_mm, random), alone, seed);
-    const Aligned seen = aligned(view, sources.spot_px);
+    const LineModel model = units.model(leds_mm, random);
+    const TargetView view = target_view(rig, units.target(leds_mm, random), alone, seed);
+    const Aligned seen = as_seen(view, sources.spot_px);
     const Pairs pairs = match(seen, model);
     const Measurement measured = gate(seen, pairs, pose_of_target(seen, pairs, model), model);
     if (!measured.pose) continue;

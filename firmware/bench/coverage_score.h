@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "bench/erring_units.h"
 #include "values/linear.h"
 
 namespace tripoint::bench {
@@ -24,13 +25,6 @@ struct CoverageScore {
   double axes_inside_share = 0.0;  ///< of all axes of all poses: the truth is within two standard deviations
   double position_rms_mm = 0.0;
   double orientation_rms_deg = 0.0;  ///< 0 for one LED
-};
-
-/// Standard deviations of what a pose is made from. The line is told all of them.
-struct ErrorSources {
-  double spot_px = 0.05;
-  double target_mm = 0.025;     ///< of each LED's place in the target, along each axis
-  double calibration_px = 0.1;  ///< of the points in the pictures of a board and a wand (adjustment_covariance)
 };
 
 /// Views over the part of 300 x 300 x 200 mm around 400 mm that both cameras see (target_view), each with its own

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bench/erring_units.h"
 #include "line/gate/gate.h"
 #include "line/match/match.h"
 #include "line/monitor/confirmation.h"
@@ -19,31 +20,7 @@ const std::array<Vec3, 4> kFour{Vec3(0.0, 0.0, 0.0), Vec3(100.0, 0.0, 0.0), Vec3
 const std::array<ScoredTarget, 3> kTargets{
     {{"100/80/60 mm", kTriangle}, {"60/54/48 mm", kSmall}, {"four LEDs", kFour}}};
 
-LineModel model_of(std::span<const Vec3> leds_mm) {
-  LineModel model;
-  model.calibration = default_rig();
-  model.rig = rig_of(model.calibration).value();
-  model.volume = WorkingVolume{{-300.0, -300.0, 150.0}, {300.0, 300.0, 800.0}};
-  for (const Vec3& led : leds_mm) {
-    model.target.points.push_back({static_cast<int>(model.target.points.size()) + 1, led, 0.05});
-  }
-  return model;
-}
-
-Aligned aligned(const TargetView& view, double sigma_px) {
-  Aligned seen;
-  seen.due = seen.common_time = true;
-  for (const Side side : kBothSides) {
-    for (const ViewedSpot& spot : view.spots[side]) {
-      AlignedPoint point;
-      point.seen.at = spot.at;
-      point.seen.covariance_px2 = sigma_px * sigma_px * Matrix2::Identity();
-      seen.points[side].push_back(point);
-      ++seen.spots[side];
-    }
-  }
-  return seen;
-}
+constexpr double kLedPlace_mm = 0.025;  // standard deviation
 
 /// The LED that a spot of the view is; spots are told by their places, which are drawn and never equal.
 int led_at(const TargetView& view, Side side, const AlignedPoint& point) {
@@ -70,12 +47,14 @@ struct Verdict {
 class Watch {
  public:
   Watch(std::span<const Vec3> leds_mm, const ViewSettings& settings)
-      : leds_(leds_mm.size()), settings_(settings), model_(model_of(leds_mm)) {}
+      : leds_(leds_mm.size()),
+        settings_(settings),
+        model_(model_of(leds_mm, default_rig(), RigCovariance::Zero(), kLedPlace_mm)) {}
 
   [[nodiscard]] const Rig& rig() const { return model_.rig; }
 
   Verdict verdict_on(const TargetView& view, TimePoint at) {
-    Aligned seen = aligned(view, settings_.sigma_px);
+    Aligned seen = as_seen(view, settings_.sigma_px);
     seen.at = at;
     const Pairs pairs = match(seen, model_);
     const Measurement measurement = gate(seen, pairs, pose_of_target(seen, pairs, model_), model_);

@@ -28,7 +28,8 @@ std::optional<Measurement> Line::step(const Event& event) {
   if (!seen.due) return std::nullopt;
   const Pairs pairs = match(seen, *model_);
   const Fit fit = pose_of_target(seen, pairs, *model_);
-  const Measurement measurement = confirmation_.judged(gate(seen, pairs, fit, *model_));
+  decalibration_.learn(seen, pairs, *model_);
+  const Measurement measurement = decalibration_.judged(confirmation_.judged(gate(seen, pairs, fit, *model_)));
   monitor_.learn(measurement, pairs);  // health, motion
   return monitor_.completed(measurement, *model_);
 }
@@ -39,6 +40,7 @@ void Line::swap_model(std::shared_ptr<const LineModel> model) {
   patience_.limit_to(model_->limits.camera_silence);
   clocks_.trust_offset_to(model_->limits.offset_prior_s);
   confirmation_.forget();
+  decalibration_.watch(*model_);
   monitor_.forget_motion();
 }
 

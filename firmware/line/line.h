@@ -10,6 +10,7 @@
 #include "line/measurement.h"
 #include "line/model.h"
 #include "line/monitor/confirmation.h"
+#include "line/monitor/decalibration.h"
 #include "line/monitor/monitor.h"
 #include "line/observation.h"
 #include "values/forecast.h"
@@ -36,6 +37,7 @@ class Line {
   Clocks clocks_;
   Patience patience_;
   Confirmation confirmation_;
+  Decalibration decalibration_;
   Monitor monitor_;
 };
 

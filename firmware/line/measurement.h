@@ -117,6 +117,8 @@ struct Measurement {
   std::optional<TargetPose> pose;  ///< only when no fault is set
   double residual_rms_px = 0.0;
   double epipolar_rms_px = 0.0;
+  std::optional<double> side_length_error_mm;  ///< mean over the target's sides: measured less nominal
+  std::optional<double> decalibration_mm;      ///< by which a turned camera misplaces the target, as far as it shows
   PerSide<ImageHealth> health;
   PerSide<std::uint16_t> spots{0, 0};
 };

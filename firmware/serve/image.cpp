@@ -105,7 +105,7 @@ void put_camera(RegisterImage& image, const CameraStats& stats, std::size_t shif
 
 void put_timing(RegisterImage& image, const UnitState& state) {
   using namespace registers::timing;
-  std::optional<double> skew_us, skew_expanded_us, cost_mm, epipolar_px;
+  std::optional<double> skew_us, skew_expanded_us, cost_mm, epipolar_px, side_error_mm, decalibration_mm;
   if (state.newest && state.newest->measurement.common_time) {
     const Timing& timing = state.newest->measurement.timing;
     skew_us = 1e6 * timing.skew_s;
@@ -115,14 +115,18 @@ void put_timing(RegisterImage& image, const UnitState& state) {
   if (state.newest && !state.newest->measurement.points.empty()) {
     epipolar_px = state.newest->measurement.epipolar_rms_px;
   }
+  if (state.newest) {
+    side_error_mm = state.newest->measurement.side_length_error_mm;
+    decalibration_mm = state.newest->measurement.decalibration_mm;
+  }
   image.put(kSkew, skew_us);
   image.put(kSkewUncertainty, skew_expanded_us);
   image.put(kSkewCost, cost_mm);
   image.put(kLatencyP50, state.health.latency_p50_us);
   image.put(kLatencyP99, state.health.latency_p99_us);
   image.put(kEpipolarRms, epipolar_px);
-  image.put(kSideLengthError, state.health.side_length_error_mm);
-  image.put(kDecalibration, state.health.decalibration_mm);
+  image.put(kSideLengthError, side_error_mm);
+  image.put(kDecalibration, decalibration_mm);
   image.put(kCpuTemperature, state.health.cpu_temperature_degc);
   image.put(kLoad, state.health.load_percent);
 }

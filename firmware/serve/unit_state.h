@@ -67,8 +67,6 @@ struct CameraStats {
 struct HealthStats {
   std::optional<double> latency_p50_us;
   std::optional<double> latency_p99_us;
-  std::optional<double> side_length_error_mm;
-  std::optional<double> decalibration_mm;
   std::optional<double> cpu_temperature_degc;
   std::optional<double> load_percent;
 };

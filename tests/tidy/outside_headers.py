@@ -9,7 +9,18 @@ from __future__ import annotations
 # A name that ends in "/" stands for all below it.
 ROOMS: dict[str, set[str]] = {
     # libraries
-    "Eigen/": {"values", "geometry", "line/detect", "line/match", "line/pose", "tags", "calibration", "serve", "bench"},
+    "Eigen/": {
+        "values",
+        "geometry",
+        "line/detect",
+        "line/match",
+        "line/pose",
+        "line/monitor",
+        "tags",
+        "calibration",
+        "serve",
+        "bench",
+    },
     "tl/expected.hpp": {"values"},
     "fmt/": {
         *("app", "calibration", "capture", "config", "devices", "document", "explain", "net", "recording", "serve"),

@@ -46,6 +46,7 @@ inline std::string bytes_of(const Measurement& m) {
   if (m.pose) {
     bytes << m.pose->position_in_output_mm << m.pose->output_from_target.has_value() << m.pose->noise << m.pose->shared;
   }
+  bytes << m.side_length_error_mm.value_or(0.0) << m.decalibration_mm.value_or(0.0);
   bytes << m.residual_rms_px << m.epipolar_rms_px << m.spots.left << m.spots.right;
   for (const Side side : kBothSides) {
     const ImageHealth& health = m.health[side];

@@ -104,7 +104,9 @@ TEST(TimingTest, StandsBehindTheCameras) {
   timing.skew_s = -0.0042;
   timing.skew_sigma_s = 0.00005;
   timing.uncorrected_cost_mm = 1.25;
-  state.health = {850.0, 1900.0, -0.031, 0.2, 48.3, 61.0};
+  state.newest->measurement.side_length_error_mm = -0.031;
+  state.newest->measurement.decalibration_mm = 0.2;
+  state.health = {850.0, 1900.0, 48.3, 61.0};
   const RegisterImage image = image_of(state);
   EXPECT_EQ(i32_at(image, 732), -4'200);
   EXPECT_EQ(u32_at(image, 734), 100U);

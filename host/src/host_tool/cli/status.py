@@ -99,6 +99,11 @@ def _timing_rows(timing: Timing) -> list[tuple[str, str]]:
         ),
         ("latency", f"p50 {p50}, p99 {p99} from the later frame to the registers"),
         ("epipolar", f"{number(timing.epipolar_rms_px, 3, 'px')} RMS"),
+        (
+            "mount",
+            f"sides of the target off by {number(timing.side_length_error_mm, 3, 'mm')}, "
+            f"a turned camera misplaces it by {number(timing.decalibration_mm, 3, 'mm')}",
+        ),
         ("board", f"{number(timing.cpu_temperature_c, 1, 'degC')}, load {number(timing.load_percent, 0, '%')}"),
     ]
 

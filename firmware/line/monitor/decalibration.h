@@ -1,0 +1,58 @@
+// Whether the cameras still stand as they were calibrated, as far as the target shows it.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "line/align/align.h"
+#include "line/match/match.h"
+#include "line/measurement.h"
+#include "line/model.h"
+#include "line/monitor/turn_evidence.h"
+#include "values/linear.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+/// A knocked camera makes poses wrong that look right: what it turns about the vertical moves no point off its epipolar
+/// line. So the turn of the right camera against the left is estimated from epipolar distances and the target's sides
+/// together, over about the last second in which the whole target was seen. It is an alarm when noise, calibration and
+/// target, each as uncertain as stated, hardly ever explain it. A target of one or two points shows too little, and
+/// watches nothing.
+///
+/// A target that no longer fits the calibration is looked for by one that may have turned by a tenth of a degree; what
+/// it finds is evidence, never a pose.
+class Decalibration {
+ public:
+  /// Begins anew.
+  void watch(const LineModel& model);
+
+  void learn(const Aligned& seen, const Pairs& pairs, const LineModel& model);
+
+  /// The measurement with side-length error and estimate, and with kDecalibration in place of a pose during an alarm.
+  [[nodiscard]] Measurement judged(Measurement measurement) const;
+
+  /// Evidence is taken no closer in time: nearer verdicts share pictures.
+  static constexpr Duration kLeastApart = std::chrono::milliseconds(30);
+
+ private:
+  struct Findings {
+    TurnEquations sums = TurnEquations::Zero();
+    Matrix3 clock_squares = Matrix3::Zero();  ///< sum of what the clocks may have done to each view
+    double weight = 0.0;                      ///< of all views in the sums
+    int views = 0;                            ///< in the sums, no more than they remember
+    TimePoint newest{};
+    double side_error_mm = 0.0;
+    double moved_mm = 0.0;
+    bool alarm = false;
+  };
+
+  void add(const TurnEvidence& evidence, TimePoint at);
+  void judge(const LineModel& model, const Matrix3& place_by_turn_mm);
+
+  LineModel turned_;  // the model, less sure of how the cameras are turned
+  Findings found_;
+  TimePoint looked_{};
+};
+
+}  // namespace tripoint
