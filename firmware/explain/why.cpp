@@ -22,7 +22,7 @@ struct Comparison {
 std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, const Candidate& candidate) {
   const double surface = static_cast<double>(candidate.red_surface) + settings.min_over_surface;
   return {
-      {{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(settings.min_peak), 0},
+      {{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(candidate.needed_peak), 0},
        {DropCause::kNoContrast, "contrast", &Candidate::contrast, static_cast<double>(candidate.needed_contrast), 0},
        {DropCause::kElongated, "aspect", &Candidate::aspect, settings.max_aspect, 2},
        {DropCause::kCrowded, "bright around", &Candidate::crowding, settings.max_crowding, 2},

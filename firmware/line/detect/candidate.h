@@ -14,7 +14,7 @@ namespace tripoint {
 enum class DropCause : std::uint8_t {
   kKept,
   kSeenBefore,    ///< the same spot, reached from another cell
-  kDim,           ///< peak below `min_peak`
+  kDim,           ///< peak below `needed_peak`
   kNoFalloff,     ///< as bright all around: a surface, not a spot
   kNoContrast,    ///< hardly above its background
   kTooLarge,      ///< reaches the border of the largest window: a surface or a halo over 40 px
@@ -62,6 +62,7 @@ struct Candidate {
   int start_v_px = 0;
   RawPixel at;                   ///< the best known place: start, centre of the area, or the fit's centre
   float peak = 0.0F;             ///< S
+  float needed_peak = 0.0F;      ///< the same, at least
   float contrast = 0.0F;         ///< S above the background
   float needed_contrast = 0.0F;  ///< the same, at least
   float level = 0.0F;            ///< of the contrast, at which the spot stood alone

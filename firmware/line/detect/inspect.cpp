@@ -6,6 +6,7 @@
 
 #include "line/detect/falloff.h"
 #include "line/detect/ground.h"
+#include "line/detect/shared_chroma.h"
 
 namespace tripoint {
 namespace {
@@ -31,6 +32,13 @@ std::array<int, 3> half_windows(int width_px) {
   return {8, 15, 20};
 }
 
+/// S that a spot of this size needs.
+int needed_peak(const LedDetectorSettings& settings, const Picture& picture, double sigma_px = kSharpestSigma_px) {
+  constexpr int kNoRed = 512;  // S of darkness
+  const int red = std::max(0, settings.min_peak - kNoRed);
+  return settings.min_peak - static_cast<int>((1.0 - strength_left(picture, sigma_px)) * red);
+}
+
 /// Two merged spots, or one of which half is hidden, have their centre about sqrt(long^2 - short^2) beside a LED's.
 double doubt_of_stretched_px(const Area& area) {
   const double share = std::clamp((area.aspect() - kRoundAspect) / (kDoubtfulAspect - kRoundAspect), 0.0, 1.0);
@@ -51,6 +59,7 @@ Inspection Inspector::inspect(const Picture& picture, PixelPlace start) {
   seen_.start_u_px = start.u_px;
   seen_.start_v_px = start.v_px;
   seen_.at = {static_cast<double>(start.u_px), static_cast<double>(start.v_px)};
+  seen_.needed_peak = static_cast<float>(needed_peak(settings_, picture));
   seen_.needed_contrast = static_cast<float>(settings_.min_contrast);
   point_.reset();
   half_loaded_ = 0;
@@ -90,7 +99,7 @@ DropCause Inspector::stand_out(const Picture& picture) {
   const PixelPlace start{seen_.start_u_px, seen_.start_v_px};
   const int peak = brightest_near(picture, start);
   seen_.peak = static_cast<float>(peak);
-  if (peak < settings_.min_peak) return DropCause::kDim;
+  if (seen_.peak < seen_.needed_peak) return DropCause::kDim;
   const std::optional<int> falloff = falloff_px(picture, start, peak - settings_.falloff);
   look_at_rows(start.v_px, falloff.value_or(0));
   return falloff ? DropCause::kKept : DropCause::kNoFalloff;
@@ -194,6 +203,10 @@ DropCause Inspector::fit(const Picture& picture) {
                                            .ground = ground});
   if (!measured) return DropCause::kFitFailed;
   note(*measured);
+  if (picture.chroma_rows_halved) {  // a wider spot loses less red than the sharpest, which was let in
+    seen_.needed_peak = static_cast<float>(needed_peak(settings_, picture, measured->fit.model.sigma_px));
+    if (seen_.peak < seen_.needed_peak) return DropCause::kDim;
+  }
   const DropCause cause = check(*measured, picture);
   if (cause == DropCause::kKept) make_point(*measured);
   return cause;

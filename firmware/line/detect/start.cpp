@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "line/detect/shared_chroma.h"
 #include "line/detect/vectors.h"
 
 namespace tripoint {
@@ -105,12 +106,14 @@ PixelPlace reddest_of_cell(const Picture& picture, const CoarseMap& map, const C
 
 std::optional<PixelPlace> reddest_beside(const Picture& picture, const CoarseMap& map, const Candidate& spot,
                                          int min_red) {
+  constexpr int kGrey = 128;            // V
   constexpr int kClearlyRed = 20;       // V above `min_red`
   constexpr double kNearlyAsRed = 0.6;  // of the accepted spot's own step
   const int reach = picture.size.width_px <= 320 ? 14 : 26;
   const double own = 2.0 * static_cast<double>(spot.radius_px) + 2.0;
-  const double needed = std::max<double>(min_red + kClearlyRed, static_cast<double>(spot.surround_red) +
-                                                                    kNearlyAsRed * static_cast<double>(spot.red_step));
+  const double clearly_red = kGrey + red_left(picture) * (min_red + kClearlyRed - kGrey);
+  const double needed =
+      std::max(clearly_red, static_cast<double>(spot.surround_red) + kNearlyAsRed * static_cast<double>(spot.red_step));
   int largest = static_cast<int>(std::ceil(needed)) - 1;
   std::optional<PixelPlace> reddest;
   const auto see = [&](int u, int v, int red) {

@@ -27,7 +27,12 @@ TEST(WhyTest, ACauseIsWrittenAsPeopleWriteIt) { EXPECT_EQ(cause_in_words(DropCau
 TEST(WhyTest, AMeasuredValueStandsAgainstItsLimit) {
   EXPECT_EQ(why_of(with(DropCause::kNotRed, &Candidate::redness, 0.31F)), "redness 0.31 < 0.70");
   EXPECT_EQ(why_of(with(DropCause::kElongated, &Candidate::aspect, 3.0F)), "aspect 3.00 > 1.90");
-  EXPECT_EQ(why_of(with(DropCause::kDim, &Candidate::peak, 612.0F)), "peak 612 < 780");
+}
+
+TEST(WhyTest, PeakStandsAgainstWhatTheChromaLeavesOfIt) {
+  Candidate candidate = with(DropCause::kDim, &Candidate::peak, 612.0F);
+  candidate.needed_peak = 679.0F;
+  EXPECT_EQ(why_of(candidate), "peak 612 < 679");
 }
 
 TEST(WhyTest, ContrastStandsAgainstWhatTheNoiseDemanded) {

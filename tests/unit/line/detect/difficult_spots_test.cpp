@@ -83,6 +83,28 @@ TEST(DifficultSpotsTest, MergedLedsAreRefusedOrEachPointCoversOneOfThemWithItsCo
   EXPECT_GE(measured, 15);  // of 22; 20 are
 }
 
+TEST(DifficultSpotsTest, MergedLedsMeasuredAsOneAreStatedSoWideThatEitherMayBeIt) {
+  // 1.5 px wide: from 3.0 px on they can be told from one LED that is seen from the side.
+  int measured = 0;
+  int within_95 = 0;
+  for (int i = 0; i < 30; ++i) {
+    const double apart_px = 3.0 + 0.05 * i;
+    const double angle_rad = 1.7 * i;
+    Painting painting(kSize, 0.02);
+    const RawPixel first{300.2 + 0.13 * i, 200.4 + 0.07 * i};
+    const RawPixel second{first.u_px + apart_px * std::cos(angle_rad), first.v_px + apart_px * std::sin(angle_rad)};
+    painting.add(Light{.at = first, .sigma_px = 1.5});
+    painting.add(Light{.at = second, .sigma_px = 1.5, .peak = i % 2 == 0 ? 1.5 : 0.9});
+    const Seen seen = seen_in(painting, static_cast<std::uint32_t>(i));
+    if (seen.detection.points.size() != 1) continue;
+    const ImagePoint& point = seen.detection.points[0];
+    measured += 2;
+    for (const RawPixel& led : {first, second}) within_95 += chi2(point, led) < 5.991 ? 1 : 0;
+  }
+  EXPECT_GT(measured, 40);  // of 60
+  EXPECT_GE(within_95, 0.95 * measured);
+}
+
 TEST(DifficultSpotsTest, LedWhoseCentreShowsIsRefusedOrCoveredByItsCovariance) {
   // Once the centre itself is hidden, no single picture can say where it was.
   int measured = 0;
@@ -189,6 +211,37 @@ TEST(DifficultSpotsTest, LedOnPatternedGroundIsCoveredByItsCovariance) {
   EXPECT_GT(found, 40);
   // 1 for true normal errors; its standard deviation over 40 spots is 0.16, and 4 of them.
   EXPECT_LT(sum / found, 1.6);
+}
+
+TEST(DifficultSpotsTest, SmallLedIsFoundWhereverItLiesBetweenTheRowsOfSharedChroma) {
+  for (int phase = 0; phase < 8; ++phase) {
+    const RawPixel at{300.2, 200.0 + phase / 4.0};
+    Painting painting(kSize, 0.02);
+    painting.add(Light{.at = at, .sigma_px = 1.0, .peak = 0.45});
+    std::mt19937 random(1);
+    const auto picture = painting.develop({.gamma = false}, random);
+    for (const bool halved : {false, true}) {
+      const auto planes = bench::planes_of(picture, halved);
+      const Seen seen = seen_in(planes.view());
+      ASSERT_EQ(seen.detection.points.size(), 1U) << at.v_px << (halved ? ", 4:2:0" : ", 4:2:2");
+      EXPECT_LT(chi2(seen.detection.points[0], at), kChi2Limit) << at.v_px;
+    }
+  }
+}
+
+TEST(DifficultSpotsTest, WideSpotNeedsTheSameLightWhereverRowsShareChroma) {
+  // Its limit is a peak of 0.33 in 4:2:2. Two rows differ by less than 5 % of a spot of 3 px.
+  for (const double peak : {0.24, 0.27, 0.30, 0.36, 0.39}) {
+    Painting painting(kSize, 0.02);
+    painting.add(Light{.at = {300.2, 201.0}, .sigma_px = 3.0, .peak = peak});
+    std::mt19937 random(1);
+    const auto picture = painting.develop({.gamma = false}, random);
+    for (const bool halved : {false, true}) {
+      const auto planes = bench::planes_of(picture, halved);
+      const std::size_t points = seen_in(planes.view()).detection.points.size();
+      EXPECT_EQ(points, peak > 0.33 ? 1U : 0U) << peak << (halved ? ", 4:2:0" : ", 4:2:2");
+    }
+  }
 }
 
 TEST(DifficultSpotsTest, TooDimALedIsRefusedAsDim) {
