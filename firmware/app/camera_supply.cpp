@@ -37,6 +37,8 @@ Trajectory trajectory_of(Scenario scenario) {
       return static_volume();
     case Scenario::kScout:
       return scout();
+    case Scenario::kBumpedCamera:
+      return three_circles();
     case Scenario::kPaperCircular:
       break;
   }
@@ -86,6 +88,7 @@ Result<SimulationSettings> simulation_settings(const Config& config, const Targe
   if (!trajectory) return tl::make_unexpected(named_by(config, "simulation.trajectory_file", trajectory.error()));
   SimulationSettings settings;
   settings.trajectory = *trajectory;
+  if (wanted.trajectory_file.empty() && wanted.scenario == Scenario::kBumpedCamera) settings.knock = bumped_camera();
   settings.rig = default_rig(config.cameras.size);
   settings.format = pixel_format(config.cameras.format);
   settings.rate_hz = config.cameras.rate_hz;

@@ -149,7 +149,8 @@ SimulationConfig simulation_from(TableReader table, const std::filesystem::path&
                                       {{"paper-linear", Scenario::kPaperLinear},
                                        {"paper-circular", Scenario::kPaperCircular},
                                        {"scout", Scenario::kScout},
-                                       {"static-volume", Scenario::kStaticVolume}},
+                                       {"static-volume", Scenario::kStaticVolume},
+                                       {"bumped-camera", Scenario::kBumpedCamera}},
                                       s.scenario);
   s.trajectory_file = path_from(folder, table.text("trajectory_file", ""));
   s.seed = static_cast<std::uint32_t>(table.integer("seed", {0, 4'294'967'295}, s.seed));

@@ -26,7 +26,7 @@ enum class ConfiguredMethod : std::uint8_t { kMaximumLikelihood, kPaper };
 enum class ConfiguredDetector : std::uint8_t { kLed, kSphere, kAprilTag };
 enum class ModulationLines : std::uint8_t { kSimulated };
 enum class SimulatedLines : std::uint8_t { kWorking, kStuckLit, kStuckOut };
-enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume };
+enum class Scenario : std::uint8_t { kPaperLinear, kPaperCircular, kScout, kStaticVolume, kBumpedCamera };
 
 /// Which camera is the left or the right one; "" = not asked for. `device` overrides both.
 struct CameraBinding {

@@ -54,6 +54,7 @@ Result<SimulationSettings> open_scene(const Options& options) {
   if (!trajectory) return tl::make_unexpected(trajectory.error());
   SimulationSettings settings;
   settings.trajectory = *trajectory;
+  if (options.trajectory.empty() && options.scenario == "bumped-camera") settings.knock = bumped_camera();
   settings.scene = led_scene(led_places(options.leds.value_or(1)), options.led_peak.value_or(1.5));
   settings.scene.white_level = options.white_level;
   settings.rig = default_rig(size_of(options));
@@ -104,7 +105,8 @@ int run(int argc, char** argv) {
   app.add_option("--out", options.out, "folder to write; must be empty or absent")->required();
   app.add_option("--format", options.format, "yuyv or jpg")->check(CLI::IsMember({"yuyv", "jpg"}));
   app.add_option("--scenario", options.scenario,
-                 "paper-linear, paper-circular, scout (periods 12, 12, 6 s), static-volume (81 s), or clutter:\n"
+                 "paper-linear, paper-circular, scout (periods 12, 12, 6 s), static-volume (81 s), bumped-camera\n"
+                 "(36 s: the right camera stands turned by 0.1 degrees in the second of three circles), or clutter:\n"
                  "a still target among things like LEDs, another scene with each seed (12 s)");
   app.add_option("--trajectory", options.trajectory, "CSV file as host-tool simulate writes it, instead of a scenario");
   app.add_option("--width", options.width_px, "of a picture, px: 320, 640 or 1280");

@@ -101,7 +101,7 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
 }
 
 std::optional<FrameRenderer::Sight> FrameRenderer::sight_of(const LightSource& light, Duration since_1970) const {
-  const Isometry3& camera_from_reference = world_.rig().camera_from_rig[side_];
+  const Isometry3 camera_from_reference = world_.camera_from_reference(side_, since_1970);
   Vec3 in_reference_mm = place_mm_at(light, since_1970);
   if (light.mount == Mount::kTarget) {
     in_reference_mm = target_pose_at(world_.settings().trajectory, since_1970) * in_reference_mm;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "geometry/rig.h"
@@ -15,6 +16,7 @@
 #include "sim/scene.h"
 #include "sim/sensor.h"
 #include "sim/trajectory.h"
+#include "values/linear.h"
 #include "values/side.h"
 #include "values/time.h"
 
@@ -43,6 +45,17 @@ struct PlannedTrouble {
   Duration to{0};
 };
 
+/// A camera that stands turned about its own lens for a part of each period of the trajectory. Lights show it, surfaces
+/// stay where they were.
+struct Knock {
+  Side side = Side::kRight;
+  Vec3 turn_rad = Vec3::Zero();  ///< rotation vector along the camera's axes
+  Duration from{0};              ///< phase of the trajectory
+  Duration to{0};
+};
+/// What "bumped-camera" does: the right camera turns by 0.1 degrees about the vertical in the second of three rounds.
+Knock bumped_camera();
+
 inline constexpr GainRange kSimulatedGains{0, 255, 1};  ///< as common webcams have them
 
 /// Share of the time from one moment since 1970 to another in which the light of a line was lit, 0 to 1; when both are
@@ -64,6 +77,7 @@ struct SimulationSettings {
   Duration line_time{std::chrono::microseconds{30}};  ///< row r is exposed r times this later
   PerSide<CameraClock> clocks;
   std::vector<PlannedTrouble> troubles;
+  std::optional<Knock> knock;
   LitShare lit_share;  ///< empty: what could be switched is always lit
   std::uint64_t seed = 1;
 };

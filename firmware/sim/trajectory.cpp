@@ -107,13 +107,24 @@ Trajectory static_volume() {
           }};
 }
 
+Trajectory three_circles() {
+  Trajectory rounds = paper_circular();
+  rounds.period *= 3;
+  rounds.reference_from_target = [once = rounds.reference_from_target](double phase_s) {
+    return once(std::fmod(phase_s, kRound_s));
+  };
+  return rounds;
+}
+
 Result<Trajectory> scenario_trajectory(std::string_view name) {
   if (name == "paper-linear") return paper_linear();
   if (name == "paper-circular") return paper_circular();
   if (name == "scout") return scout();
   if (name == "static-volume") return static_volume();
-  return failure(ErrorCode::kOutOfRange, "scenario \"" + std::string(name) +
-                                             "\": must be paper-linear, paper-circular, scout or static-volume");
+  if (name == "bumped-camera") return three_circles();
+  return failure(ErrorCode::kOutOfRange,
+                 "scenario \"" + std::string(name) +
+                     "\": must be paper-linear, paper-circular, scout, static-volume or bumped-camera");
 }
 
 Result<Trajectory> interpolated(std::vector<TrajectorySample> samples) {

@@ -31,6 +31,10 @@ Trajectory paper_linear();
 /// half a circle is an assumption.
 Trajectory paper_circular();
 
+/// Three rounds of the paper's circle, for cameras that are knocked in the second.
+Trajectory three_circles();
+inline constexpr double kRound_s = 12.0;
+
 /// The tip of the paper's wheeled manipulator (Eq. 18 and 19, Table III): the base drives 1 m while the joints turn
 /// from -180 and -90 to -45 and 45 degrees, links of 0.16 and 0.21 m, in 3 s, then back; constant speeds. The real path
 /// is 1.5 m long; here it has a tenth of its size, upright in the plane z = 400 mm, centred on the z axis.
@@ -44,7 +48,7 @@ inline constexpr double kStationMove_s = 1.0;
 /// The stations of static_volume(), mm in the reference frame, in the order in which they are visited.
 std::vector<Vec3> volume_stations();
 
-/// "paper-linear", "paper-circular", "scout" or "static-volume".
+/// "paper-linear", "paper-circular", "scout", "static-volume" or "bumped-camera".
 ///
 /// @return kOutOfRange for any other name
 Result<Trajectory> scenario_trajectory(std::string_view name);

@@ -1,6 +1,7 @@
 #include "sim/world.h"
 
 #include <cstddef>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -69,6 +70,22 @@ SimulatedWorld::SimulatedWorld(SimulationSettings settings, TimePoint start, Rig
       backgrounds_[side][pixel] += static_cast<float>(settings_.sensor.hot_pixel_level);
     }
   }
+}
+
+Isometry3 SimulatedWorld::camera_from_reference(Side side, Duration since_1970) const {
+  const std::optional<Knock>& knock = settings_.knock;
+  const Duration phase = since_1970 % settings_.trajectory.period;
+  if (!knock || knock->side != side || phase < knock->from || phase >= knock->to) return rig_.camera_from_rig[side];
+  const double angle_rad = knock->turn_rad.norm();
+  return Eigen::AngleAxisd(angle_rad, knock->turn_rad.stableNormalized()) * rig_.camera_from_rig[side];
+}
+
+Knock bumped_camera() {
+  constexpr double kTenthOfADegree_rad = 0.1 / 180.0 * std::numbers::pi;
+  return {.side = Side::kRight,
+          .turn_rad = {0.0, kTenthOfADegree_rad, 0.0},
+          .from = duration_from_seconds(kRound_s),
+          .to = duration_from_seconds(2.0 * kRound_s)};
 }
 
 Result<SimulatedWorld> SimulatedWorld::create(const SimulationSettings& settings, TimePoint start) {

@@ -26,6 +26,8 @@ class SimulatedWorld {
   [[nodiscard]] const Rig& rig() const { return rig_; }
   [[nodiscard]] const NoiseTable& noise() const { return noise_; }
   [[nodiscard]] const NormalIntegral& normal() const { return normal_; }
+  /// Where a camera stands at a time since 1970, knocked or not.
+  [[nodiscard]] Isometry3 camera_from_reference(Side side, Duration since_1970) const;
   /// What hides lights behind it, the farthest first.
   [[nodiscard]] const std::vector<Figure>& figures(Side side) const { return figures_[side]; }
   /// Places in the picture, row by row.

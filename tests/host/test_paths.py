@@ -87,6 +87,11 @@ def test_halfway_between_two_stations_is_the_middle() -> None:
     assert at("static-volume", 2.5) == pytest.approx((first_mm + second_mm) / 2.0, abs=ROUNDING_MM)
 
 
+def test_the_bumped_camera_sees_three_circles() -> None:
+    assert SCENARIOS["bumped-camera"].period_s == pytest.approx(36.0)
+    assert at("bumped-camera", 15.0) == pytest.approx(at("paper-circular", 3.0), abs=ROUNDING_MM)
+
+
 @given(st.sampled_from(sorted(SCENARIOS)), st.integers(0, 3 * 10**7), st.integers(0, 5 * 10**9))
 def test_utc_is_taken_modulo_the_period_without_losing_ns(name: str, periods: int, phase_ns: int) -> None:
     path = SCENARIOS[name]  # beyond 2^60 ns a double steps by 256 ns

@@ -49,8 +49,12 @@ void Decalibration::add(const TurnEvidence& evidence, TimePoint at) {
   const double kept = 1.0 - 1.0 / kMemory;
   const Eigen::Matrix<double, 3, 4> by_clocks = evidence.equations.middleCols<4>(kClockColumn);
   found_.sums = kept * found_.sums + evidence.equations;
-  found_.clock_squares = kept * found_.clock_squares + by_clocks * by_clocks.transpose();
-  found_.weight = kept * found_.weight + 1.0;
+  found_.clock_sigmas = kept * found_.clock_sigmas;
+  found_.clock_spreads = kept * found_.clock_spreads;
+  if (const double sigma = by_clocks.norm(); sigma > 0.0) {
+    found_.clock_sigmas += sigma;
+    found_.clock_spreads += by_clocks * by_clocks.transpose() / sigma;
+  }
   found_.side_error_mm += (evidence.side_error_mm - found_.side_error_mm) / found_.views;
 }
 
@@ -60,9 +64,9 @@ void Decalibration::judge(const LineModel& model, const Matrix3& place_by_turn_m
   const Vec3 seen = sums.col(kSeenColumn);
   const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
   const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(model.covariance);
-  // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz it can be no more than this.
-  Matrix3 spread =
-      kAlike * information + calibration.lazyProduct(by_calibration.transpose()) + found_.weight * found_.clock_squares;
+  // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz their sum spreads no more than this.
+  Matrix3 spread = kAlike * information + calibration.lazyProduct(by_calibration.transpose()) +
+                   found_.clock_sigmas * found_.clock_spreads;
   for (std::size_t i = 0; i < model.target.points.size(); ++i) {
     const Matrix3 by_point = sums.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(i));
     const double sigma_mm = model.target.points[i].uncertainty_mm / 2.0;

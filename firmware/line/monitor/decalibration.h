@@ -38,8 +38,8 @@ class Decalibration {
  private:
   struct Findings {
     TurnEquations sums = TurnEquations::Zero();
-    Matrix3 clock_squares = Matrix3::Zero();  ///< sum of what the clocks may have done to each view
-    double weight = 0.0;                      ///< of all views in the sums
+    double clock_sigmas = 0.0;                ///< sum of what the clocks may have done to each view
+    Matrix3 clock_spreads = Matrix3::Zero();  ///< likewise: squares over what clock_sigmas adds up
     int views = 0;                            ///< in the sums, no more than they remember
     TimePoint newest{};
     double side_error_mm = 0.0;

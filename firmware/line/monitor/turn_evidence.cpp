@@ -13,6 +13,7 @@ namespace tripoint {
 namespace {
 
 constexpr double kTurnStep_rad = 1e-5;
+constexpr double kMostTiming = 9.0;   // variance of the clocks' part over that of a spot
 constexpr double kClockShare = 1e-3;  // of a standard deviation, for differences
 constexpr int kRefinements = 2;       // of the pose that three points give
 
@@ -32,6 +33,10 @@ struct WatchedPoint {
   ByClocks by_clocks;
 };
 using WatchedPoints = FixedVector<WatchedPoint, kMaxTargetPoints>;
+
+bool timed_well(const AlignedPoint& point) {
+  return point.timing_px2.trace() <= kMostTiming * point.seen.covariance_px2.trace();
+}
 
 /// How place (three rows) and epipolar distance move with one standard deviation of the clocks.
 ByClocks moved_by_clocks(const Pair& pair, const PerSide<MeasuredPixel>& pixels, const TriangulatedPoint& place,
@@ -58,6 +63,7 @@ ByClocks moved_by_clocks(const Pair& pair, const PerSide<MeasuredPixel>& pixels,
 
 std::optional<WatchedPoint> watched(const Pair& pair, const Vec3& in_target_mm, const LineModel& model,
                                     const Eigen::Matrix<double, 6, 3>& by_turn) {
+  if (!timed_well(pair.points.left) || !timed_well(pair.points.right)) return std::nullopt;
   const PerSide<MeasuredPixel> pixels{{pair.points.left.seen.at, pair.points.left.seen.covariance_px2},
                                       {pair.points.right.seen.at, pair.points.right.seen.covariance_px2}};
   const Result<TriangulatedPoint> place = triangulated(model.rig, pixels, model.limits.min_angle_rad);
@@ -173,6 +179,7 @@ std::optional<TurnEvidence> turn_evidence(const Pairs& pairs, const LineModel& m
   const Eigen::Matrix<double, 3, 6> gain =
       Eigen::LLT<Matrix6>(sums.pose).solve(sums.crossed.middleCols<3>(kTurnColumn)).transpose();
   evidence.equations = sums.turn - gain.lazyProduct(sums.crossed);
+  if (!evidence.equations.allFinite()) return std::nullopt;
   return evidence;
 }
 

@@ -33,7 +33,8 @@ struct TurnEvidence {
 /// A turned camera shows in the points' epipolar distances and in the distances between them.
 ///
 /// @param pairs the whole target, identified, in the order of its points, of which there are three or more
-/// @return nothing when a pair's rays do not meet in front of both cameras
+/// @return nothing when a pair's rays do not meet in front of both cameras, when time makes a point far more uncertain
+///         than its picture does, as in a sharp turn of its path, or when no number comes out
 std::optional<TurnEvidence> turn_evidence(const Pairs& pairs, const LineModel& model);
 
 }  // namespace tripoint

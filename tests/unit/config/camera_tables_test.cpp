@@ -153,7 +153,7 @@ TEST(SimulationConfigTest, EveryKeyIsRead) {
 
 TEST(SimulationConfigTest, AnUnknownScenarioListsTheShippedOnes) {
   EXPECT_THAT(message_with({"simulation.scenario=clutter"}),
-              HasSubstr("\"paper-linear\", \"paper-circular\", \"scout\" or \"static-volume\""));
+              HasSubstr("\"paper-linear\", \"paper-circular\", \"scout\", \"static-volume\" or \"bumped-camera\""));
 }
 
 TEST(RecordingConfigTest, ARecordingAsSourceNeedsItsFolder) {

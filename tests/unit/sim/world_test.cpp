@@ -3,6 +3,9 @@
 #include <functional>
 #include <string>
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "still_world.h"
@@ -65,6 +68,23 @@ TEST(WorldTest, WallHasItsReflectanceTimesTheWhiteLevel) {
   EXPECT_FLOAT_EQ(levels[0], 0.030F);
   EXPECT_FLOAT_EQ(levels[1], 0.024F);
   EXPECT_FLOAT_EQ(levels[641], 0.015F);
+}
+
+TEST(WorldTest, AKnockedCameraStandsTurnedAboutItsLensInTheSecondRound) {
+  SimulationSettings settings;
+  settings.trajectory = three_circles();
+  settings.knock = bumped_camera();
+  const SimulatedWorld world = SimulatedWorld::create(settings).value();
+  for (const double since_1970_s : {5.0, 11.9, 12.1, 23.9, 24.1, 36.0 + 5.0, 36.0 + 12.1}) {
+    const Duration at = duration_from_seconds(since_1970_s);
+    const double round = std::fmod(since_1970_s, 36.0) / kRound_s;
+    const double turned_deg = round >= 1.0 && round < 2.0 ? 0.1 : 0.0;
+    const Isometry3 moved = world.camera_from_reference(Side::kRight, at) * world.rig().camera_from_rig.right.inverse();
+    const Eigen::AngleAxisd turn(moved.linear());
+    EXPECT_NEAR(turn.angle() * turn.axis().y() * 180.0 / std::numbers::pi, turned_deg, 1e-9) << since_1970_s;
+    EXPECT_LT(moved.translation().norm(), 1e-9);
+    EXPECT_TRUE(world.camera_from_reference(Side::kLeft, at).isApprox(world.rig().camera_from_rig.left));
+  }
 }
 
 TEST(WorldTest, TextureStaysWithinItsAmplitude) {

@@ -41,7 +41,8 @@ class Seen:
     show_default=True,
     type=click.Choice(sorted(SCENARIOS)),
     metavar="SCENARIO",
-    help="What the simulated target of the unit runs: paper-circular, paper-linear, scout or static-volume.",
+    help="What the simulated target of the unit runs: paper-circular, paper-linear, scout, static-volume "
+    "or bumped-camera.",
 )
 @common_options
 def demo(common: Common, seconds: float, scenario: str) -> ExitCode:

@@ -23,8 +23,9 @@ def simulate(common: Common, scenario: str, rate: float, seconds: float | None, 
     """Write the path of a scenario as CSV.
 
     SCENARIO is paper-circular (half a circle and back in 12 s), paper-linear (a line and back in 12 s), scout
-    (the path of a mobile robot's arm and back in 6 s) or static-volume (27 places, 3 s each). Columns:
-    t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz, the target in the reference frame. No unit is asked.
+    (the path of a mobile robot's arm and back in 6 s), static-volume (27 places, 3 s each) or bumped-camera
+    (paper-circular three times). Columns: t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz, the target in the reference frame. No unit
+    is asked.
     """
     path = scenario_from(scenario)
     lines = list(lines_of(path, rate, seconds or path.period_s))

@@ -29,7 +29,8 @@ from host_tool.watching.truth import check_comparable, check_scenario_on
 @click.option(
     "--truth",
     metavar="SCENARIO|CSV",
-    help="Where the target truly is: what a simulated unit runs (paper-circular, paper-linear, scout, static-volume), "
+    help="Where the target truly is: what a simulated unit runs (paper-circular, paper-linear, scout, static-volume, "
+    "bumped-camera), "
     "or a CSV as host-tool simulate writes it; time is UTC modulo its length.",
 )
 @common_options

@@ -131,6 +131,7 @@ SCENARIOS: dict[str, Path] = {
         Path("paper-circular", 2.0 * _LEG_S, paper_circular_mm),
         Path("scout", 2.0 * _SCOUT_LEG_S, scout_mm),
         Path("static-volume", 27 * _STAY_S, static_volume_mm),
+        Path("bumped-camera", 3 * 2.0 * _LEG_S, paper_circular_mm),  # the cameras differ, not the path
     )
 }
 
