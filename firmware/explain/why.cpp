@@ -51,9 +51,9 @@ std::string compared(std::string_view what, double measured, double limit, int d
 }
 
 std::string of_size(const Candidate& candidate, const LedDetectorSettings& settings, int width_px) {
-  const double largest_px = largest_sigma_px(settings, width_px);
+  const double smallest_px = smallest_sigma_px(settings, width_px);
   const auto sigma_px = static_cast<double>(candidate.sigma_px);
-  return compared("sigma", sigma_px, sigma_px < settings.min_sigma_px ? settings.min_sigma_px : largest_px, 2);
+  return compared("sigma", sigma_px, sigma_px < smallest_px ? smallest_px : largest_sigma_px(settings, width_px), 2);
 }
 
 std::string why_of_sphere(const Candidate& candidate, const SphereSettings& settings) {

@@ -230,8 +230,10 @@ DropCause Inspector::check(const SpotMeasurement& measured, const Picture& pictu
   }
   if (static_cast<double>(seen_.residual) > settings_.max_residual) return DropCause::kPoorFit;
   const double sigma_px = measured.fit.model.sigma_px;
-  const double largest_px = largest_sigma_px(settings_, picture.size.width_px);
-  if (sigma_px < settings_.min_sigma_px || sigma_px > largest_px) return DropCause::kWrongSize;
+  const int width_px = picture.size.width_px;
+  if (sigma_px < smallest_sigma_px(settings_, width_px) || sigma_px > largest_sigma_px(settings_, width_px)) {
+    return DropCause::kWrongSize;
+  }
   const double share = measured.share_of_radius;
   return share < 0.3 || share > 1.35 ? DropCause::kWrongProfile : DropCause::kKept;
 }

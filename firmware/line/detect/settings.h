@@ -30,7 +30,10 @@ struct LedDetectorSettings {
   double min_emission = 0.0;   ///< dY/dS over the spot: a red object on a lighter ground has about -0.1
   double max_aspect = 1.9;     ///< long over short axis
   double max_residual = 0.30;  ///< RMS of the fit over the amplitude
-  double min_sigma_px = 0.85;  ///< rendered LEDs have 1.1 and more, a red hot pixel behind the demosaicing about 0.75
+  /// The smallest LEDs, 0.8 mm at 800 mm through a lens of 0.6 px, are rendered with 1.1 px at 640x480. A red hot pixel
+  /// behind the demosaicing has 0.75 px, and where JPEG leaves out its finest part up to 0.90.
+  double min_sigma_px = 0.95;
+  double min_sigma_small_px = 0.85;  ///< the same in pictures of up to 400 px: there the smallest LEDs have 0.90
   double max_sigma_px = 4.0;
   double max_sigma_of_width = 0.016;  ///< of the picture's width; the larger of the two limits holds: largest_sigma_px
   double weak_sigma_px = 0.10;        ///< of the centre measured on Y: above it S is measured instead of Y
@@ -43,6 +46,12 @@ struct LedDetectorSettings {
   double floor_px = 0.10;        ///< standard deviation per axis of what the fit cannot see: demosaicing, chroma, shape
   double split_floor_px = 0.15;  ///< more of it where only the top of a spot stands alone, or S was measured
 };
+
+/// The smallest sigma that a spot may have in a picture of this width, px.
+inline double smallest_sigma_px(const LedDetectorSettings& settings, int width_px) {
+  constexpr int kSmall_px = 400;
+  return width_px <= kSmall_px ? settings.min_sigma_small_px : settings.min_sigma_px;
+}
 
 /// The largest sigma that a spot may have in a picture of this width, px.
 inline double largest_sigma_px(const LedDetectorSettings& settings, int width_px) {

@@ -28,12 +28,7 @@ struct Tally {
 /// LEDs, lamps like them and their images in mirrors are red lights: geometry tells them.
 bool is_red_light(Origin origin) { return origin <= Origin::kReflection; }
 
-/// JPEG widens a red hot pixel to what a very small LED could be: only the other camera tells.
-bool may_be_believed(Origin origin, PixelFormat format) {
-  return is_red_light(origin) || (origin == Origin::kHotPixel && format == PixelFormat::kMjpeg);
-}
-
-void count(Tally& tally, const ViewScore& view, PixelFormat format, const std::string& where) {
+void count(Tally& tally, const ViewScore& view, const std::string& where) {
   for (const LedScore& led : view.leds) {
     ++tally.asked;
     tally.found += led.found ? 1 : 0;
@@ -41,7 +36,7 @@ void count(Tally& tally, const ViewScore& view, PixelFormat format, const std::s
     if (!led.found) tally.missed += where + led.cause + "\n";
   }
   for (const PointScore& point : view.points) {
-    if (may_be_believed(point.origin, format)) continue;
+    if (is_red_light(point.origin)) continue;
     tally.believed += where + std::string(bench::kOriginNames.at(static_cast<std::size_t>(point.origin))) + "\n";
   }
 }
@@ -71,7 +66,7 @@ Tally tally_of(PixelFormat format, std::uint64_t scenes) {
     PerSide<ViewScore> views;
     for (const Side side : kBothSides) {
       views[side] = eye.look(render(world, side, Duration{0}), world);
-      count(tally, views[side], format, "seed " + std::to_string(seed) + " " + std::string(name(side)) + ": ");
+      count(tally, views[side], "seed " + std::to_string(seed) + " " + std::string(name(side)) + ": ");
     }
     LineModel model;
     model.calibration = settings.rig;

@@ -175,8 +175,8 @@ TEST(DifficultSpotsTest, SpotSmallerThanALensMakesIsRefusedForItsSize) {
 TEST(DifficultSpotsTest, SharpLedIsStatedLessCertain) {
   // A mosaic displaces a spot that falls between its red pixels; this picture has no mosaic and cannot show it.
   const auto deviation_px = [](double sigma_px) {
-    Painting painting(kSize, 0.02);
-    painting.add(Light{.at = {300.2, 200.4}, .sigma_px = sigma_px, .peak = 0.9});
+    Painting painting({320, 240}, 0.02);
+    painting.add(Light{.at = {150.2, 100.4}, .sigma_px = sigma_px, .peak = 0.9});
     const Seen seen = seen_in(painting);
     return seen.detection.points.size() == 1 ? std::sqrt(seen.detection.points[0].covariance_px2(0, 0)) : 0.0;
   };
