@@ -174,12 +174,20 @@ PerSide<OpenCamera> real_cameras(const Config& config, const Clock& clock) {
   return {open(Side::kLeft), open(Side::kRight)};
 }
 
+Error no_simulated_tags(const Config& config) {
+  return named_by(config, "cameras.source",
+                  {ErrorCode::kMismatch,
+                   "\"simulation\" shows LEDs: with a target of AprilTags permitted is \"v4l2\" or "
+                   "\"recording\""});
+}
+
 }  // namespace
 
 Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& target, const Clock& clock,
                                           const SimulatedLeds* switched) {
   switch (config.cameras.source) {
     case CameraSource::kSimulation:
+      if (!target.tags.empty()) return tl::make_unexpected(no_simulated_tags(config));
       return simulation_settings(config, target).and_then([&](SimulationSettings settings) {
         if (switched != nullptr) settings.lit_share = lit_share_of(*switched, clock, config.simulation.led_lines);
         return simulated_cameras(settings, clock);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/camera_supply.h"
-#include "app/detector_settings.h"
+#include "app/detection.h"
 #include "app/measuring.h"
 #include "app/modulation_wiring.h"
 #include "app/unit_setup.h"
@@ -19,7 +19,6 @@
 #include "capture/camera_worker.h"
 #include "devices/realtime.h"
 #include "devices/system_clock.h"
-#include "line/detect/led_detector.h"
 #include "net/modbus_server.h"
 #include "serve/publication.h"
 #include "serve/responder.h"
@@ -31,19 +30,6 @@ constexpr std::size_t kQueuedEvents = 16;                   // a quarter of a se
 constexpr int kModbusPriority = 50;                         // below the kernel's own interrupt threads
 constexpr int kMeasuringPriority = 49;                      // clients read even while the line works
 constexpr auto kFarewell = std::chrono::milliseconds(250);  // two polls of the slowest client that registers.md names
-
-DetectPoints led_detection(const DetectorConfig& config) {
-  const auto detector =
-      std::make_shared<LedDetector>(led_detector_settings(config));  // shared: std::function must be copyable
-  return [detector](const Picture& picture, const Forecast& forecast) {
-    const Detection found = detector->detect(picture, forecast);
-    Observation observation;
-    observation.points = found.points;
-    observation.health = found.health;
-    observation.forecast_used = forecast.number;
-    return observation;
-  };
-}
 
 Result<ModbusSettings> modbus_settings(const ModbusConfig& config) {
   ModbusSettings settings;
@@ -92,11 +78,12 @@ struct Unit {
   explicit Unit(UnitState first) : publication(std::move(first)), responder(publication, device_identification()) {}
 };
 
-CameraWorker camera_worker(Unit& unit, Side side, const Config& config, OpenCamera open, SiftPoints sift) {
+CameraWorker camera_worker(Unit& unit, Side side, const Config& config, CameraTasks tasks) {
   CameraLimits limits;
   limits.frame = config.cameras.loss_after;
+  tasks.whole_pictures = needs_whole_pictures(config.detector);
   return {
-      side, CameraTasks{.open = std::move(open), .detect = led_detection(config.detector), .sift = std::move(sift)},
+      side, std::move(tasks),
       CameraLinks{.events = unit.events, .forecast = unit.forecast, .status = unit.cameras[side], .clock = unit.clock},
       limits};
 }
@@ -113,11 +100,14 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   UnitReport report(setup->constants, started_by.now());
   Unit unit(report.state({}, started_by));
   std::optional<ModulationWiring> modulation;
-  if (config.modulation.enabled) modulation.emplace(config.modulation, setup->target, unit.clock);
+  if (config.modulation.enabled) modulation.emplace(config.modulation, setup->target.target, unit.clock);
   const auto sift = [&](Side side) { return modulation ? modulation->sift(side) : SiftPoints{}; };
   Result<PerSide<OpenCamera>> cameras =
-      camera_supply(config, setup->target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
+      camera_supply(config, setup->target.target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
   if (!cameras) return tl::make_unexpected(cameras.error());
+  Result<DetectPoints> detect_left = detection_of(config.detector, setup->target);
+  Result<DetectPoints> detect_right = detection_of(config.detector, setup->target);
+  if (!detect_left || !detect_right) return tl::make_unexpected((detect_left ? detect_right : detect_left).error());
   Result<ModbusServer> server = ModbusServer::open(
       *settings, unit.responder, [&unit] { return unit.clock.now(); },
       [](std::string_view what) { spdlog::warn("{}", what); });
@@ -125,8 +115,12 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   spdlog::info("modbus: {}:{}, setup {}", config.modbus.address, server->port(),
                setup_text(setup->constants.identity.setup));
 
-  CameraWorker left = camera_worker(unit, Side::kLeft, config, std::move(cameras->left), sift(Side::kLeft));
-  CameraWorker right = camera_worker(unit, Side::kRight, config, std::move(cameras->right), sift(Side::kRight));
+  const auto worker = [&](Side side, OpenCamera& open, DetectPoints& detect) {
+    return camera_worker(unit, side, config,
+                         {.open = std::move(open), .detect = std::move(detect), .sift = sift(side)});
+  };
+  CameraWorker left = worker(Side::kLeft, cameras->left, *detect_left);
+  CameraWorker right = worker(Side::kRight, cameras->right, *detect_right);
   Measuring measuring({unit.events, unit.cameras, unit.forecast, unit.publication, unit.clock}, setup->model,
                       fits_calibration(setup->calibration, config.cameras.source), std::move(report));
 

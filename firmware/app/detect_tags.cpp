@@ -8,13 +8,12 @@
 #include "app/exit_code.h"
 #include "capture/image_file.h"
 #include "tags/tag_detector.h"
+#include "tags/tag_points.h"
 
 namespace tripoint {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr double kClipped = 254.0;  // mean luma of the light side of the edges
 
 ordered_json corners_as_json(const SeenTag& tag) {
   ordered_json corners = ordered_json::array();
@@ -36,7 +35,7 @@ ordered_json as_json(const SeenTag& tag) {
           {"v_px", centre.at.v_px},
           {"covariance_px2", {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}}},
           {"peak", tag.outline.light},
-          {"saturated", tag.outline.light >= kClipped},
+          {"saturated", clips(tag.outline)},
           {"corners_px", corners_as_json(tag)},
           {"rough", why_rough(tag.outline)},
           {"corrected_bits", tag.decoded.corrected_bits},

@@ -199,7 +199,11 @@ int expose_command(const ExposeOptions& options) {
     if (const auto file = editable_file(options.config); !file) return report(file.error());
   }
   if (options.purpose == ExposeFor::kCalibrating) return expose_for_calibrating(options, *config);
-  if (const Result<void> detector = check_detector(*config); !detector) return report(detector.error());
+  if (config->detector.kind != ConfiguredDetector::kLed) {
+    return report(
+        named_by(*config, "detector.kind",
+                 {ErrorCode::kMismatch, "the exposure for measuring is found by LEDs: to expose set \"led\""}));
+  }
   const Result<std::size_t> leds = leds_of_target(*config);
   if (!leds) return report(leds.error());
   const SystemClock clock;

@@ -6,9 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
-#include "app/detector_settings.h"
+#include "app/detection.h"
 #include "app/exit_code.h"
 #include "app/unit_setup.h"
 #include "app/verdict_json.h"
@@ -17,7 +18,6 @@
 #include "capture/repeat_check.h"
 #include "config/config.h"
 #include "config/target_file.h"
-#include "line/detect/led_detector.h"
 #include "line/line.h"
 #include "recording/recording_reader.h"
 
@@ -27,6 +27,7 @@ namespace {
 struct Replay {
   Config config;
   LineModel model;
+  DetectPoints detect;
   Isometry3 wanted_from_output = Isometry3::Identity();  ///< --frame against the frame of the configuration
 };
 
@@ -88,7 +89,18 @@ Result<Replay> prepared(const ReplayOptions& options) {
   const Result<TargetFile> target =
       options.target.empty() ? Result<TargetFile>(single_led()) : load_target(options.target);
   if (!target) return tl::make_unexpected(target.error());
-  Result<LineModel> model = line_model(*calibration, *target, replay.config);
+  if (options.config.empty() && target->kind == TargetKind::kAprilTag) {
+    replay.config.detector.kind = ConfiguredDetector::kAprilTag;
+  }
+  const Result<MeasuredTarget> measured = measured_target(*target, replay.config.detector);
+  if (!measured)
+    return failure(measured.error().code, options.target.empty()
+                                              ? "--target: " + measured.error().message
+                                              : options.target.string() + ": " + measured.error().message);
+  Result<DetectPoints> detect = detection_of(replay.config.detector, *measured);
+  if (!detect) return tl::make_unexpected(detect.error());
+  replay.detect = std::move(*detect);
+  Result<LineModel> model = line_model(*calibration, measured->target, replay.config);
   if (!model) return tl::make_unexpected(model.error());
   replay.model = std::move(*model);
   if (options.config.empty()) replay.model.volume.reset();
@@ -101,7 +113,7 @@ Result<Replay> prepared(const ReplayOptions& options) {
 /// Turns rows of a recording into the events that the camera threads would have sent.
 class EventMaker {
  public:
-  explicit EventMaker(const LedDetectorSettings& settings) : detector_(settings) {}
+  explicit EventMaker(DetectPoints detect) : detect_(std::move(detect)) {}
 
   /// @return kCorruptFrame, naming the file, for a picture that cannot be decoded
   Result<Event> event(const RecordedItem& item, const RecordingReader& reader) {
@@ -120,21 +132,18 @@ class EventMaker {
     const Result<Picture> picture =
         packed ? decoder_.decode(frame.data, frame.size) : Result<Picture>(picture_of(frame));
     if (!picture) return tl::make_unexpected(picture.error());
-    const Detection found = detector_.detect(*picture, Forecast{});
-    Observation seen;
+    Observation seen = detect_(*picture, Forecast{});
     seen.side = frame.side;
     seen.frame = frame.sequence;
     seen.exposed = frame.exposed;
     seen.arrived = frame.arrived;
     seen.line_time = frame.line_time;
-    seen.points = found.points;
-    seen.health = found.health;
     RepeatCheck& repeats = repeats_[frame.side];
     seen.health.identical = packed ? repeats.repeats(decoder_.coded(), frame.size) : repeats.repeats(*picture);
     return seen;
   }
 
-  LedDetector detector_;
+  DetectPoints detect_;
   MjpegDecoder decoder_;
   PerSide<RepeatCheck> repeats_;
 };
@@ -177,7 +186,7 @@ int replay_command(const ReplayOptions& options) {
 
   const OutputFrame frame = options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
   Line line(std::make_shared<const LineModel>(replay->model));
-  EventMaker events(led_detector_settings(replay->config.detector));
+  EventMaker events(std::move(replay->detect));
   FrameTally tally;
   while (const std::optional<Result<RecordedItem>> item = reader->next()) {
     const Result<Event> event = item->and_then([&](const RecordedItem& row) { return events.event(row, *reader); });

@@ -107,7 +107,8 @@ CameraStats UnitReport::stats(Side side, const CameraStatus& camera) const {
     stats.spot_peak = health.peak_luma;
     stats.image_mean = health.mean_luma;
     stats.focus_per_px = health.focus;
-    if (const auto margin = margin_of(newest_->measurement, side)) {
+    const bool leds = constants_.identity.mode != registers::Mode::kApriltagPose;  // the margin is that of LEDs
+    if (const auto margin = leds ? margin_of(newest_->measurement, side) : std::nullopt) {
       stats.above_dim = margin->above_dim;
       stats.below_clipping = margin->below_clipping;
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/camera_supply.h"
+#include "app/detection.h"
 #include "app/version.h"
 #include "document/sha256.h"
 
@@ -27,17 +28,37 @@ Limits limits_of(const Config& config) {
   return limits;
 }
 
-Result<Target> points_of(const TargetFile& file) {
-  if (file.kind != TargetKind::kLed) {
-    return failure(ErrorCode::kMismatch,
-                   "the target is made of AprilTags, but detector.kind is \"led\": permitted is a target of LEDs");
-  }
+Target target_of_leds(const TargetFile& file) {
   Target target;
   for (const TargetFilePoint& point : file.points) {
     target.points.push_back({point.id, point.position_mm, point.uncertainty_mm, point.facing});
   }
   if (file.facing) target.facing = *file.facing;
   return target;
+}
+
+Target target_of_tags(const TargetFile& file) {
+  Target target;
+  for (const TargetFileTag& tag : file.tags) {
+    const double angle_rad = tag.rotation_rad.norm();
+    const Vec3 axis = angle_rad > 0.0 ? Vec3(tag.rotation_rad / angle_rad) : Vec3(Vec3::UnitZ());
+    const Matrix3 target_from_tag = Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
+    TargetTag placed;
+    placed.id = tag.id;
+    placed.uncertainty_mm = tag.uncertainty_mm;
+    for (std::size_t k = 0; k < kTagCorners; ++k) {
+      const Vec3 in_tag_mm = 0.5 * tag.size_mm * Vec3(kTagCornerPlaces[k][0], kTagCornerPlaces[k][1], 0.0);
+      placed.corners_mm[k] = tag.position_mm + target_from_tag * in_tag_mm;
+    }
+    target.points.push_back({tag.id, tag.position_mm, tag.uncertainty_mm, std::nullopt});
+    target.tags.push_back(placed);
+  }
+  return target;
+}
+
+registers::Mode mode_of(const Target& target) {
+  if (!target.tags.empty()) return registers::Mode::kApriltagPose;
+  return target.points.size() < 3 ? registers::Mode::kLedPosition : registers::Mode::kLedPose;
 }
 
 /// Register 146: over everything that changes what a pose means; a client stores it at commissioning. Never 0.
@@ -93,24 +114,34 @@ Result<void> check_size(const Config& config, const Calibration& calibration) {
 }  // namespace
 
 Result<void> check_detector(const Config& config) {
-  if (config.detector.kind == ConfiguredDetector::kLed) return {};
-  return tl::make_unexpected(
-      named_by(config, "detector.kind",
-               {ErrorCode::kMismatch,
-                fmt::format("\"{}\" is for single pictures, with `tripointd detect`: to measure or "
-                            "expose set \"led\"",
-                            config.detector.kind == ConfiguredDetector::kSphere ? "sphere" : "apriltag")}));
+  if (config.detector.kind != ConfiguredDetector::kSphere) return {};
+  return tl::make_unexpected(named_by(config, "detector.kind",
+                                      {ErrorCode::kMismatch,
+                                       "\"sphere\" is for single pictures, with `tripointd detect`: to measure set "
+                                       "\"led\" or \"apriltag\""}));
 }
 
-Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config) {
-  const Result<Target> points = points_of(target);
-  if (!points) return tl::make_unexpected(points.error());
+Result<MeasuredTarget> measured_target(const TargetFile& file, const DetectorConfig& detector) {
+  const bool tags = file.kind == TargetKind::kAprilTag;
+  if (tags != (detector.kind == ConfiguredDetector::kAprilTag)) {
+    return failure(
+        ErrorCode::kMismatch,
+        tags ? "the target is made of AprilTags, but detector.kind is \"led\": set it to \"apriltag\", or name "
+               "a target of LEDs"
+             : "the target is made of LEDs, but detector.kind is \"apriltag\": set it to \"led\", or name a "
+               "target of tags");
+  }
+  MeasuredTarget target{tags ? target_of_tags(file) : target_of_leds(file), file.family};
+  return detection_of(detector, target).map([&](const DetectPoints& /*works*/) { return target; });
+}
+
+Result<LineModel> line_model(const Calibration& calibration, const Target& target, const Config& config) {
   return rig_of(calibration.stereo).map([&](const Rig& rig) {
     LineModel model;
     model.calibration = calibration.stereo;
     model.rig = rig;
     model.covariance = calibration.covariance.value_or(RigCovariance::Zero());
-    model.target = *points;
+    model.target = target;
     model.limits = limits_of(config);
     model.volume = WorkingVolume{config.volume.min_mm, config.volume.max_mm};
     model.method = config.output.method == ConfiguredMethod::kPaper ? Method::kPaper : Method::kMaximumLikelihood;
@@ -121,25 +152,26 @@ Result<LineModel> line_model(const Calibration& calibration, const TargetFile& t
 
 Result<UnitSetup> unit_setup(const Config& config) {
   if (const Result<void> detector = check_detector(config); !detector) return tl::make_unexpected(detector.error());
-  const Result<TargetFile> target =
+  const Result<TargetFile> file =
       config.target_file.empty() ? Result<TargetFile>(single_led()) : load_target(config.target_file);
+  const Result<MeasuredTarget> target =
+      file.and_then([&](const TargetFile& loaded) { return measured_target(loaded, config.detector); });
   if (!target) return tl::make_unexpected(named_by(config, "target.file", target.error()));
 
   UnitSetup setup;
-  const Result<Target> points = points_of(*target);
-  if (!points && config.modulation.enabled) return tl::make_unexpected(named_by(config, "target.file", points.error()));
-  setup.target = points.value_or(Target{});
+  setup.target = *target;
   if (!config.calibration_file.empty()) {
     Result<Calibration> calibration = load_calibration(config.calibration_file);
     const Result<void> usable =
         calibration.and_then([&](const Calibration& loaded) { return check_size(config, loaded); });
     if (!usable) return tl::make_unexpected(named_by(config, "calibration.file", usable.error()));
-    Result<LineModel> model = line_model(*calibration, *target, config);
-    if (!model) return tl::make_unexpected(named_by(config, "target.file", model.error()));
+    Result<LineModel> model = line_model(*calibration, setup.target.target, config);
+    if (!model) return tl::make_unexpected(named_by(config, "calibration.file", model.error()));
     setup.model = std::make_shared<const LineModel>(std::move(*model));
     setup.calibration = std::move(*calibration);
   }
-  setup.constants = constants_of(config, setup.calibration, *target);
+  setup.constants = constants_of(config, setup.calibration, *file);
+  setup.constants.identity.mode = mode_of(setup.target.target);
   return setup;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/measured_target.h"
 #include "app/measuring.h"
 #include "app/unit_report.h"
 #include "calibration/calibration.h"
@@ -21,7 +22,7 @@ struct UnitSetup {
   std::shared_ptr<const LineModel> model;  ///< null: no calibration is configured; shared with the line
   std::optional<Calibration> calibration;
   UnitConstants constants;
-  Target target;  ///< without points when it is made of AprilTags
+  MeasuredTarget target;
 };
 
 /// Loads the files that the configuration names and checks that they belong together.
@@ -35,10 +36,14 @@ Result<UnitSetup> unit_setup(const Config& config);
 /// @return kMismatch for spheres: they are found in single pictures only
 Result<void> check_detector(const Config& config);
 
+/// @return kMismatch when the target is not made of what the detector finds; of an unknown family or tag as
+/// detection_of
+Result<MeasuredTarget> measured_target(const TargetFile& file, const DetectorConfig& detector);
+
 /// The model of the line for a calibration and a target, with the limits and the volume of a configuration.
 ///
-/// @return kMismatch when the target is not made of LEDs
-Result<LineModel> line_model(const Calibration& calibration, const TargetFile& target, const Config& config);
+/// @return as rig_of
+Result<LineModel> line_model(const Calibration& calibration, const Target& target, const Config& config);
 
 /// As people compare it with a PLC's: decimal, and in hex.
 std::string setup_text(std::uint16_t setup);

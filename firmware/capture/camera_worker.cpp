@@ -125,7 +125,8 @@ bool CameraWorker::may_still_start(const Error& error) const {
 Result<Observation> CameraWorker::observe(Camera& camera) {
   const Result<Frame> frame = camera.next_frame(limits_.frame);
   if (!frame) return tl::make_unexpected(frame.error());
-  const Forecast forecast = tasks_.sift ? Forecast{} : links_.forecast.get();
+  const bool all_rows = tasks_.sift || tasks_.whole_pictures;
+  const Forecast forecast = all_rows ? Forecast{} : links_.forecast.get();
   const Result<Picture> picture = picture_from(*frame, forecast);
   if (!picture) return tl::make_unexpected(picture.error());
   if (!plausible(*frame)) return failure(ErrorCode::kCorruptFrame, "time stamp does not fit the time of arrival");

@@ -57,7 +57,8 @@ void pause_until_stop(Duration duration, const std::stop_token& stop);
 struct CameraTasks {
   OpenCamera open;
   DetectPoints detect;
-  SiftPoints sift = {};  ///< none: every point is believed
+  SiftPoints sift = {};         ///< none: every point is believed
+  bool whole_pictures = false;  ///< no bands of MJPEG; with a task to sift there are none anyway
   Pause pause = pause_until_stop;
 };
 

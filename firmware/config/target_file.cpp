@@ -64,6 +64,14 @@ std::vector<TargetFilePoint> points_from(TableReader& root) {
   return points;
 }
 
+/// The nearest that two tags come is on faces of a cube, 0.7 of their size.
+bool apart(const std::vector<TargetFileTag>& tags, const TargetFileTag& added) {
+  return std::all_of(tags.begin(), tags.end(), [&](const TargetFileTag& tag) {
+    const double distance_mm = (tag.position_mm - added.position_mm).norm();
+    return distance_mm >= 0.5 * std::max(tag.size_mm, added.size_mm) && distance_mm < kFarthest_mm;
+  });
+}
+
 std::vector<TargetFileTag> tags_from(TableReader& root) {
   std::vector<TargetFileTag> tags;
   for (TableReader& table : root.tables("tags")) {
@@ -72,7 +80,13 @@ std::vector<TargetFileTag> tags_from(TableReader& root) {
     tag.size_mm = table.number("size_mm", {1.0, 10'000.0});
     tag.position_mm = table.vec3("position_mm", kPlaceMm);
     tag.rotation_rad = table.vec3("rotation_rad", kRotationRad);
+    tag.uncertainty_mm = table.number("uncertainty_mm", {0.0, 10.0}, tag.uncertainty_mm);
     if (!new_id(tags, tag.id)) table.refuse("id", "permitted is each id once");
+    if (!apart(tags, tag)) {
+      table.refuse("position_mm", fmt::format("permitted is half the size of the larger tag or more, and less than {} "
+                                              "mm, from other tags",
+                                              kFarthest_mm));
+    }
     table.finish();
     tags.push_back(tag);
   }
@@ -109,11 +123,11 @@ Result<TargetFile> parse_target(std::string_view text, std::string_view file_nam
   target.kind = root.choice<TargetKind>("detector", {{"led", TargetKind::kLed}, {"apriltag", TargetKind::kAprilTag}});
   if (target.kind == TargetKind::kLed) {
     target.points = points_from(root);
+    target.facing = facing_from(root);
   } else {
     target.family = root.text("family");
     target.tags = tags_from(root);
   }
-  target.facing = facing_from(root);
   root.finish();
   if (!findings.error()) check_shape(root, target);
   if (findings.error()) return tl::make_unexpected(*findings.error());

@@ -29,6 +29,7 @@ struct TargetFileTag {
   double size_mm = 0.0;             ///< of the black square
   Vec3 position_mm = Vec3::Zero();  ///< of its centre
   Vec3 rotation_rad = Vec3::Zero();
+  double uncertainty_mm = 0.05;  ///< k = 2, of each corner
 };
 
 struct TargetFile {
@@ -36,7 +37,7 @@ struct TargetFile {
   std::vector<TargetFilePoint> points;  ///< 1 to 12 for LEDs, none for tags
   std::string family;                   ///< of the tags
   std::vector<TargetFileTag> tags;      ///< 1 to 12 for tags, none for LEDs
-  std::optional<Vec3> facing;           ///< unit length: the side that shines
+  std::optional<Vec3> facing;           ///< unit length: the side that shines; none for tags
   Sha256 sha256{};                      ///< of the whole file
 };
 
@@ -46,7 +47,8 @@ TargetFile single_led();
 /// Reads format "tripoint-target/1".
 ///
 /// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange naming file, line, key and what is permitted; ids are
-///         unique, points lie apart but not far, a single one at the origin, three or more as `shape_fault` asks
+///         unique, points lie apart but not far, a single one at the origin, three or more as `shape_fault` asks; tags
+///         do not overlap
 Result<TargetFile> parse_target(std::string_view text, std::string_view file_name);
 
 /// @return kCannotRead, or as parse_target

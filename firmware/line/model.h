@@ -1,6 +1,7 @@
 // Everything the line must know to turn image points into a verdict: swapped whole, between events.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -21,9 +22,23 @@ struct TargetPoint {
   double uncertainty_mm = 0.05;               ///< k = 2
   std::optional<Vec3> facing = std::nullopt;  ///< unit length, where this one shines another way than the target
 };
+/// Where the corners lie in a tag of size 2: x right, y down. The order is that of the detector, counter-clockwise as a
+/// camera sees them.
+inline constexpr std::array<std::array<double, 2>, kTagCorners> kTagCornerPlaces{
+    {{-1.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}, {-1.0, -1.0}}};
+
+/// A square tag, in the target's frame.
+struct TargetTag {
+  int id = 0;
+  /// In the order of the detector.
+  std::array<Vec3, kTagCorners> corners_mm{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double uncertainty_mm = 0.05;  ///< k = 2, of each corner
+};
+
 struct Target {
-  FixedVector<TargetPoint, kMaxTargetPoints> points;
-  Vec3 facing = Vec3::UnitZ();  ///< unit length, in the target's frame: where its LEDs shine
+  FixedVector<TargetPoint, kMaxTargetPoints> points;  ///< LEDs; of tags their centres, in the order of the tags
+  FixedVector<TargetTag, kMaxTargetPoints> tags;      ///< none: the target is made of LEDs
+  Vec3 facing = Vec3::UnitZ();                        ///< unit length, in the target's frame: where its LEDs shine
 };
 
 /// In the output frame; a target outside is a fault, not a measurement. Absent in `replay` without --config.

@@ -25,6 +25,8 @@ struct ImagePoint {
   RawPixel at;
   Matrix2 covariance_px2 = Matrix2::Identity();
   std::optional<PointLabel> label;
+  /// With the next corner of the same tag, this one in the rows: they share an edge and its error.
+  Matrix2 shared_with_next_px2 = Matrix2::Zero();
   double amplitude = 0.0;  ///< luma steps above the background
   double sigma_px = 0.0;   ///< fitted size of the spot
   double peak = 0.0;       ///< largest luma value

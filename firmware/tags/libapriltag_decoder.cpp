@@ -117,6 +117,9 @@ DecodedTags TagDecoder::decode(LumaCopy& luma) {
   return decoded_tags;
 }
 
-TagShape TagDecoder::shape() const { return {library_->family->width_at_border, library_->family->reversed_border}; }
+TagShape TagDecoder::shape() const {
+  return {library_->family->width_at_border, library_->family->reversed_border,
+          static_cast<int>(library_->family->ncodes)};
+}
 
 }  // namespace tripoint

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "values/assert.h"
 
@@ -21,6 +22,11 @@ void LumaCopy::take(const Picture& picture) {
       for (std::size_t x = 0; x < width; ++x) to[x] = from[x * picture.luma.step_bytes];
     }
   }
+}
+
+double LumaCopy::mean() const {
+  const auto sum = std::accumulate(values_.begin(), values_.end(), std::uint64_t{0});
+  return values_.empty() ? 0.0 : static_cast<double>(sum) / static_cast<double>(values_.size());
 }
 
 std::optional<double> LumaCopy::at(const Vec2& place_px) const {

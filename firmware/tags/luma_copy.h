@@ -21,6 +21,7 @@ class LumaCopy {
   /// height x width values; the stride is the width.
   [[nodiscard]] std::vector<std::uint8_t>& values() { return values_; }
 
+  [[nodiscard]] double mean() const;
   /// Luma between the four pixels around a place, pixel centres at integers; nothing outside of the picture.
   [[nodiscard]] std::optional<double> at(const Vec2& place_px) const;
 

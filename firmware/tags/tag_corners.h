@@ -22,7 +22,8 @@ struct TagOutline {
 };
 
 /// The library's own corners err by up to a pixel, and in each of its versions in another way: they are only where
-/// looking begins. Edges are taken for straight; a lens that bends them moves the corners of large tags.
+/// looking begins. Edges are taken for straight; what a lens moves the corners by is taken off where it is known
+/// (straight_corners.h).
 ///
 /// @return rough with the cause of the first edge that cannot be measured, or with kMovedCorner
 TagOutline tag_outline(const LumaCopy& luma, const DecodedTag& tag, const TagShape& shape);

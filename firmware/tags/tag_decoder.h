@@ -8,16 +8,15 @@
 
 #include "tags/luma_copy.h"
 #include "values/fixed_vector.h"
+#include "values/forecast.h"
 #include "values/pixel.h"
 #include "values/result.h"
 
 namespace tripoint {
 
-/// Of the square whose inside and outside differ: lower left, lower right, upper right and upper left of the tag as its
-/// picture stands upright. In the tag's frame (x right, y down, z into the tag; size 2) these are (-1, 1), (1, 1),
-/// (1, -1), (-1, -1). A camera that sees the front of the tag sees them run counter-clockwise.
-inline constexpr std::size_t kTagCorners = 4;
-
+/// Corners are those of the square whose inside and outside differ: lower left, lower right, upper right and upper left
+/// of the tag as its picture stands upright. In the tag's frame (x right, y down, z into the tag; size 2) these are
+/// (-1, 1), (1, 1), (1, -1), (-1, -1). A camera that sees the front of the tag sees them run counter-clockwise.
 struct DecodedTag {
   int id = 0;
   int corrected_bits = 0;
@@ -35,6 +34,7 @@ struct DecodedTags {
 struct TagShape {
   int cells_across = 8;       ///< of the square with the four corners
   bool light_inside = false;  ///< just within its edges; just outside it is the other way round
+  int ids = 0;                ///< from 0
 };
 
 struct TagLibrary;

@@ -17,6 +17,7 @@ SeenTags TagDetector::detect(const Picture& picture) {
   const DecodedTags decoded = decoder_.decode(luma_);
   SeenTags seen;
   seen.cut = decoded.cut;
+  seen.mean_luma = luma_.mean();
   for (const DecodedTag& tag : decoded.tags) {
     const bool sure = tag.margin >= min_margin_;
     seen.tags.push_back(

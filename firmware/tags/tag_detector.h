@@ -26,6 +26,7 @@ struct SeenTag {
 struct SeenTags {
   FixedVector<SeenTag, kMaxDecodedTags> tags;  ///< by id; the same id may be there more than once
   bool cut = false;                            ///< there were more
+  double mean_luma = 0.0;                      ///< of the whole picture
 };
 
 /// Room for pictures of one size; allocates when it changes, and libapriltag in every picture.
@@ -33,6 +34,9 @@ class TagDetector {
  public:
   /// @return as TagDecoder::open
   static Result<TagDetector> open(const TagDetectorSettings& settings);
+
+  /// How many tags the family has, their ids from 0.
+  [[nodiscard]] int ids() const { return decoder_.shape().ids; }
 
   /// @param picture  whole, of any pixel format: only its luma is read
   SeenTags detect(const Picture& picture);

@@ -13,7 +13,8 @@
 namespace tripoint {
 
 inline constexpr std::size_t kMaxImagePoints = 48;   ///< spots or tag corners of one picture
-inline constexpr std::size_t kMaxTargetPoints = 12;  ///< points of one target
+inline constexpr std::size_t kMaxTargetPoints = 12;  ///< points of one target, or tags
+inline constexpr std::size_t kTagCorners = 4;        ///< of a tag; all of a target's corners are kMaxImagePoints
 
 struct ForecastPoint {
   int id = 0;

@@ -1,5 +1,6 @@
 #include "line/align/association.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace tripoint {
@@ -44,6 +45,25 @@ FixedVector<Link, kMaxImagePoints> linked(std::span<const Vec2> expected, std::s
       const Nearest back = nearest(expected[before.index], now);
       link.ambiguous = is_close_call(before, gate_px) || is_close_call(back, gate_px);
       if (!link.ambiguous && back.index == i) link.before = before.index;
+    }
+    links.push_back(link);
+  }
+  return links;
+}
+
+FixedVector<Link, kMaxImagePoints> linked_by_label(std::span<const ImagePoint> before, std::span<const Vec2> expected,
+                                                   std::span<const ImagePoint> now, double gate_px) {
+  FixedVector<Link, kMaxImagePoints> links;
+  for (const ImagePoint& point : now) {
+    const auto same = [&](const ImagePoint& other) { return other.label == point.label; };
+    const auto first = std::find_if(before.begin(), before.end(), same);
+    Link link;
+    if (first != before.end()) {
+      const auto index = static_cast<std::size_t>(first - before.begin());
+      link.ambiguous = std::count_if(now.begin(), now.end(), same) > 1 ||
+                       std::find_if(first + 1, before.end(), same) != before.end();
+      const bool near = (Vec2(point.at.u_px, point.at.v_px) - expected[index]).norm() < gate_px;
+      if (near && !link.ambiguous) link.before = index;
     }
     links.push_back(link);
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "line/observation.h"
 #include "values/fixed_vector.h"
 #include "values/forecast.h"
 #include "values/linear.h"
@@ -22,5 +23,10 @@ struct Link {
 /// @param now       the points of the picture, px
 /// @return one link for each point of `now`
 FixedVector<Link, kMaxImagePoints> linked(std::span<const Vec2> expected, std::span<const Vec2> now, double gate_px);
+
+/// The same for points that carry labels: the one point of the picture before with the same label, within the gate.
+/// Ambiguous where a label is there twice.
+FixedVector<Link, kMaxImagePoints> linked_by_label(std::span<const ImagePoint> before, std::span<const Vec2> expected,
+                                                   std::span<const ImagePoint> now, double gate_px);
 
 }  // namespace tripoint

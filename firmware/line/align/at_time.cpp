@@ -96,6 +96,8 @@ AlignedPoint between(const Track& track, const StampClock& clock, const Sample& 
   point.seen.at = {place.x(), place.y()};
   point.seen.covariance_px2 =
       (1.0 - share) * (1.0 - share) * before.covariance_px2 + share * share * point.seen.covariance_px2;
+  point.seen.shared_with_next_px2 =
+      (1.0 - share) * (1.0 - share) * before.shared_with_next_px2 + share * share * point.seen.shared_with_next_px2;
   point.seen.saturated = point.seen.saturated || before.saturated;
   point.seen.weak = point.seen.weak || before.weak;
   point.velocity_px_per_s = (late.place_px - early.place_px) / seconds(late.at - early.at);
@@ -172,8 +174,9 @@ PointsAtTime points_at_time(const Track& track, const StampClock& clock, TimePoi
     found.faults.insert(one.faults);
     if (one.point) found.points.push_back(*one.point);
   }
-  // A spot that cannot be placed might have been the partner of one that the other camera sees.
-  const bool some_left_out = found.points.size() < found.spots && !found.points.empty();
+  // A spot that cannot be placed might have been the partner of one that the other camera sees. A label says which.
+  const bool some_left_out =
+      found.points.size() < found.spots && !found.points.empty() && !found.points[0].seen.label.has_value();
   if (some_left_out) found.faults.insert(Fault::kAmbiguous);
   return found;
 }

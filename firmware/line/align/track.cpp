@@ -77,8 +77,12 @@ void Track::link_to_picture_before(TrackedPicture& now) const {
   }
   FixedVector<Vec2, kMaxImagePoints> places;
   for (const ImagePoint& point : now.points) places.push_back(place_of(point));
-  now.links =
-      linked({expected.begin(), expected.size()}, {places.begin(), places.size()}, kFastest_px_per_frame * steps);
+  const double gate_px = kFastest_px_per_frame * steps;
+  const std::span<const Vec2> where{expected.begin(), expected.size()};
+  const bool labelled = !now.points.empty() && now.points[0].label.has_value();
+  now.links = labelled ? linked_by_label({before.points.begin(), before.points.size()}, where,
+                                         {now.points.begin(), now.points.size()}, gate_px)
+                       : linked(where, {places.begin(), places.size()}, gate_px);
   for (std::size_t i = 0; i < now.links.size(); ++i) {
     Link& link = now.links[i];
     if (link.before && differ(before.points[*link.before], now.points[i])) link = Link{.before = {}, .ambiguous = true};

@@ -9,6 +9,7 @@
 #include "geometry/triangulation.h"
 #include "line/match/epipolar.h"
 #include "line/match/identify.h"
+#include "line/match/match_tags.h"
 
 namespace tripoint {
 namespace {
@@ -220,6 +221,7 @@ Pairs match(const Aligned& seen, const LineModel& model) {
   const std::size_t left = seen.points.left.size();
   const std::size_t right = seen.points.right.size();
   if (left == 0 || right == 0 || !model.calibrated || !model.calibration_fits) return none;
+  if (!model.target.tags.empty()) return match_tags(seen, model);
   if (left > kMaxMatchedSpots || right > kMaxMatchedSpots) return {{}, {Fault::kAmbiguous}};
   const Candidates found = candidates(seen, model);
   const std::size_t points = model.target.points.size();

@@ -15,14 +15,14 @@ inline constexpr std::size_t kMaxMatchedSpots = 12;  ///< a side; more are not m
 
 /// Two image points that belong together, and to nothing else.
 struct Pair {
-  int id = 0;  ///< point of the target, 0 = not identified
+  int id = 0;  ///< point of the target, 0 = not identified; of tags the tag
   PerSide<AlignedPoint> points;
   double epipolar_px = 0.0;
   double epipolar_sigma_px = 0.0;
 };
 
 struct Pairs {
-  FixedVector<Pair, kMaxMatchedSpots> pairs;
+  FixedVector<Pair, kMaxImagePoints> pairs;  ///< of LEDs at most kMaxMatchedSpots
   Faults faults;
 };
 
@@ -34,6 +34,7 @@ struct Pairs {
 ///         kOutsideVolume      a pair, but not at a depth of the volume
 ///         kGeometryGate       a pair whose rays do not meet in front of both cameras, or no order that is the target
 ///         kAmbiguous          a spot with two partners, more spots than can be matched, no identity that is unique
+/// Of a target of tags as `match_tags` says.
 Pairs match(const Aligned& seen, const LineModel& model);
 
 }  // namespace tripoint

@@ -33,6 +33,7 @@ void Decalibration::watch(const LineModel& model) {
 void Decalibration::learn(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
   if (!seen.common_time || seen.at < looked_ + kLeastApart) return;
   if (!model.calibrated || !model.calibration_fits || model.target.points.size() < 3) return;
+  if (!model.target.tags.empty()) return;
   looked_ = seen.at;
   const Pairs target = is_whole(pairs, model) ? pairs : match(seen, turned_);
   if (!is_whole(target, model)) return;

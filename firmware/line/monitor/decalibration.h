@@ -18,7 +18,7 @@ namespace tripoint {
 /// line. So the turn of the right camera against the left is estimated from epipolar distances and the target's sides
 /// together, over about the last second in which the whole target was seen. It is an alarm when noise, calibration and
 /// target, each as uncertain as stated, hardly ever explain it. A target of one or two points shows too little, and
-/// watches nothing.
+/// watches nothing; nor does one of tags.
 ///
 /// A target that no longer fits the calibration is looked for by one that may have turned by a tenth of a degree; what
 /// it finds is evidence, never a pose.

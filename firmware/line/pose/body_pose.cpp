@@ -18,19 +18,20 @@ constexpr double kDifference_mm = 1e-3;  // of a central difference: second orde
 
 using Matrix63 = Eigen::Matrix<double, 6, 3>;
 /// How the pose moves with each of its points.
-using Gains = FixedVector<Matrix63, kMaxTargetPoints>;
+using Gains = FixedVector<Matrix63, kMaxImagePoints>;
 
 struct Estimate {
   Isometry3 rig_from_target = Isometry3::Identity();
   Matrix6 noise = Matrix6::Zero();
   Gains gains;
+  double chi2 = 0.0;
 };
 
 double sigma_of(const TargetPoint& point) { return point.uncertainty_mm / 2.0; }
 
 /// The points of the widest triangle: it says best how the target is turned.
 std::array<std::size_t, 3> widest_of(std::span<const LocatedPoint> points) {
-  FixedVector<Vec3, kMaxTargetPoints> made_mm;
+  FixedVector<Vec3, kMaxImagePoints> made_mm;
   for (const LocatedPoint& point : points) made_mm.push_back(point.of.in_target_mm);
   return widest_triangle({made_mm.begin(), made_mm.size()});
 }
@@ -94,14 +95,29 @@ Gains gains_of_fit(std::span<const LocatedPoint> points, const RigidFit& fit) {
   return gains;
 }
 
-Result<Estimate> by_fit(std::span<const LocatedPoint> points, const LineModel& model) {
-  FixedVector<BodyPoint, kMaxTargetPoints> body;
+/// What neighbouring corners err by together, which the fit takes for errors of each.
+Matrix6 noise_of_shared_edges(std::span<const LocatedPoint> points, const Gains& gains) {
+  Matrix6 noise = Matrix6::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].next) continue;
+    const std::size_t next = *points[i].next;
+    for (const Side side : kBothSides) {
+      const Eigen::Matrix<double, 6, 2> by_this = gains[i] * points[i].by_pixel[side];
+      const Eigen::Matrix<double, 6, 2> by_next = gains[next] * points[next].by_pixel[side];
+      const Matrix6 together = by_this * points[i].shared_with_next_px2[side] * by_next.transpose();
+      noise += together + together.transpose();
+    }
+  }
+  return noise;
+}
+
+Result<Estimate> by_fit(std::span<const LocatedPoint> points, const LineModel& model, const Isometry3& start) {
+  FixedVector<BodyPoint, kMaxImagePoints> body;
   for (const LocatedPoint& point : points) body.push_back({point.of.in_target_mm, sigma_of(point.of), point.pixels});
-  const Triangle triangle = triangle_of(points);
-  const Isometry3 start = by_three_points(triangle, triangle.seen_mm);
   const Result<RigidFit> fit = rigid_fit(model.rig, {body.begin(), body.size()}, start);
   if (!fit) return tl::make_unexpected(fit.error());
-  return Estimate{fit->rig_from_body, fit->covariance, gains_of_fit(points, *fit)};
+  const Gains gains = gains_of_fit(points, *fit);
+  return Estimate{fit->rig_from_body, fit->covariance + noise_of_shared_edges(points, gains), gains, fit->chi2};
 }
 
 /// What all points share: to first order the sum over the points of what moves each.
@@ -145,9 +161,18 @@ std::optional<double> cost_of_skew_mm(std::span<const LocatedPoint> points, cons
 
 }  // namespace
 
+Isometry3 pose_of_widest_triangle(std::span<const LocatedPoint> points) {
+  const Triangle triangle = triangle_of(points);
+  return by_three_points(triangle, triangle.seen_mm);
+}
+
 Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model) {
+  return pose_of_body(points, model, pose_of_widest_triangle(points));
+}
+
+Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model, const Isometry3& start) {
   const Result<Estimate> estimate =
-      model.method == Method::kPaper ? Result<Estimate>(by_paper(points)) : by_fit(points, model);
+      model.method == Method::kPaper ? Result<Estimate>(by_paper(points)) : by_fit(points, model, start);
   if (!estimate) return tl::make_unexpected(estimate.error());
   if (!holds(*estimate, points, model)) return failure(ErrorCode::kNoConvergence);
   const auto by_calibration =
@@ -157,6 +182,8 @@ Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineMo
   const Matrix6 timing = by_clocks * by_clocks.transpose();
 
   BodyPose pose;
+  pose.rig_from_target = estimate->rig_from_target;
+  pose.chi2 = estimate->chi2;
   const Isometry3 output_from_target = model.output_from_rig * estimate->rig_from_target;
   const Matrix3 rotation = model.output_from_rig.linear();
   pose.in_output.position_in_output_mm = output_from_target.translation();

@@ -7,6 +7,7 @@
 #include "geometry/triangulation.h"
 #include "line/measurement.h"
 #include "line/model.h"
+#include "line/pose/timing_part.h"
 #include "values/linear.h"
 #include "values/side.h"
 
@@ -16,14 +17,19 @@ namespace tripoint {
 struct LocatedPoint {
   TargetPoint of;
   PerSide<MeasuredPixel> pixels;
-  TriangulatedPoint place;  ///< by the model's method
+  TriangulatedPoint place;                                         ///< by the model's method
+  PerSide<Matrix32> by_pixel{Matrix32::Zero(), Matrix32::Zero()};  ///< how the place follows the pixels
   Eigen::Matrix<double, 3, 24> place_by_calibration = Eigen::Matrix<double, 3, 24>::Zero();
   Eigen::Matrix<double, 3, 4> moved_by_clocks_mm = Eigen::Matrix<double, 3, 4>::Zero();  ///< see pose_of_body
+  std::optional<std::size_t> next;  ///< of a tag's corner: which of the points is the next one, with the same edge
+  PerSide<Matrix2> shared_with_next_px2{Matrix2::Zero(), Matrix2::Zero()};
   std::optional<Vec3> moved_by_skew_mm;  ///< if the skew were taken as none; absent while the speed is unknown
 };
 
 struct BodyPose {
   TargetPose in_output;
+  Isometry3 rig_from_target = Isometry3::Identity();
+  double chi2 = 0.0;             ///< of the rigid fit; 0 by the paper's method
   double timing_sigma_mm = 0.0;  ///< of the position, all directions together
   std::optional<double> uncorrected_cost_mm;
 };
@@ -38,5 +44,11 @@ struct BodyPose {
 /// @param points three or more, not on a line
 /// @return as rigid_fit; kNoConvergence also when a point lies elsewhere than the pose says
 Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model);
+
+/// The same, the rigid fit starting elsewhere than at `pose_of_widest_triangle`.
+Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineModel& model, const Isometry3& start);
+
+/// Rig from target by three of the points alone.
+Isometry3 pose_of_widest_triangle(std::span<const LocatedPoint> points);
 
 }  // namespace tripoint

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "places.h"
@@ -42,6 +43,7 @@ TEST(UnitSetupTest, TheDemoIsACalibratedSimulation) {
   EXPECT_NE(setup->constants.identity.calibration_id, 0U);
   ASSERT_NE(setup->model, nullptr);
   EXPECT_EQ(setup->model->target.points.size(), 3U);
+  EXPECT_EQ(setup->constants.identity.mode, registers::Mode::kLedPose);
 }
 
 TEST(UnitSetupTest, WithoutACalibrationFileThereIsNoModel) {
@@ -76,15 +78,44 @@ TEST(UnitSetupTest, SpheresAreNotMeasuredAndTheRemedyIsSaid) {
   }
 }
 
+TEST(UnitSetupTest, ATargetOfTagsNeedsTheirDetectorAndTheOtherWayRound) {
+  const std::string tags = "target.file=" + tag_target("tags.toml");
+  const Result<UnitSetup> setup = demo_setup({tags, "detector.kind=apriltag"});
+  ASSERT_TRUE(setup) << setup.error().message;
+  EXPECT_EQ(setup->constants.identity.mode, registers::Mode::kApriltagPose);
+  ASSERT_EQ(setup->model->target.tags.size(), 1U);
+  EXPECT_EQ(setup->model->target.tags[0].corners_mm[0], Vec3(-20.0, 20.0, 0.0));  // lower left, y down
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{tags}, {"detector.kind=apriltag"}}) {
+    const Result<UnitSetup> refused = demo_setup(wrong);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kMismatch);
+    EXPECT_NE(refused.error().message.find("target.file"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.find("detector.kind"), std::string::npos) << refused.error().message;
+  }
+}
+
+TEST(UnitSetupTest, ATagThatItsFamilyDoesNotHaveIsNamedWithThoseItHas) {
+  const std::string path = tag_target("tag.toml");
+  for (const auto& [family, id, said] : {std::tuple{"tag16h5", 30, "0 to 29"}, {"tag99", 1, "tagStandard41h12"}}) {
+    std::ofstream(path) << "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"" << family
+                        << "\"\n[[tags]]\nid = " << id
+                        << "\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
+    const Result<UnitSetup> refused = demo_setup({"target.file=" + path, "detector.kind=apriltag"});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
+    EXPECT_NE(refused.error().message.find(said), std::string::npos) << refused.error().message;
+  }
+}
+
 TEST(UnitSetupTest, ModulationIsPartOfTheSetupAndNeedsATargetOfLeds) {
   const Result<UnitSetup> setup = demo_setup({"modulation.enabled=true"});
   ASSERT_TRUE(setup) << setup.error().message;
-  ASSERT_EQ(setup->target.points.size(), 3U);
-  EXPECT_EQ(setup->target.points[0].id, 1);
+  ASSERT_EQ(setup->target.target.points.size(), 3U);
+  EXPECT_EQ(setup->target.target.points[0].id, 1);
   EXPECT_NE(setup->constants.identity.setup, demo_setup()->constants.identity.setup);
 
   const std::string tags = tag_target("modulated_tags.toml");
-  EXPECT_TRUE(demo_setup({"calibration.file=", "target.file=" + tags}));
+  EXPECT_TRUE(demo_setup({"calibration.file=", "target.file=" + tags, "detector.kind=apriltag"}));
   const Result<UnitSetup> refused = demo_setup({"calibration.file=", "target.file=" + tags, "modulation.enabled=true"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kMismatch);

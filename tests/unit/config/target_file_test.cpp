@@ -109,6 +109,24 @@ TEST(TargetFileTest, TagsAreRead) {
   EXPECT_EQ(t.tags[0].rotation_rad, Vec3::UnitZ());
 }
 
+std::string tag(int id, const std::string& position, const std::string& more = "") {
+  return "[[tags]]\nid = " + std::to_string(id) + "\nsize_mm = 40\nposition_mm = " + position +
+         "\nrotation_rad = [0, 0, 0]\n" + more;
+}
+
+TEST(TargetFileTest, TagsOnFacesOfACubeAreApartAndNearerOnesOverlap) {
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 20]") + tag(1, "[20, 0, 0]")), "");
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[19, 0, 0]")), HasSubstr("half the size"));
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[1000, 0, 0]")), HasSubstr("less than 1000 mm"));
+  EXPECT_THAT(message_of(kTags + tag(4, "[0, 0, 0]") + tag(4, "[50, 0, 0]")), HasSubstr("each id once"));
+}
+
+TEST(TargetFileTest, TheUncertaintyOfATagsCornersIsReadAndItNeedsNoFacing) {
+  EXPECT_EQ(parse_target(kTags + tag(0, "[0, 0, 0]", "uncertainty_mm = 0.2\n"), "")->tags[0].uncertainty_mm, 0.2);
+  EXPECT_EQ(parse_target(kTags + tag(0, "[0, 0, 0]"), "")->tags[0].uncertainty_mm, 0.05);
+  EXPECT_THAT(message_of(kTags + "facing = [0, 0, 1]\n" + tag(0, "[0, 0, 0]")), HasSubstr("unknown key facing"));
+}
+
 TEST(TargetFileTest, PointsDoNotBelongToATargetOfTags) {
   EXPECT_THAT(message_of(kTags + "[[tags]]\nid = 0\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n" +
                          point(1, "[0, 0, 0]")),

@@ -87,6 +87,11 @@ void Sheet::add_noise(double sigma) {
   for (double& value : values_) value += noise(random_);
 }
 
+void Sheet::add_noise(double sigma, std::uint32_t seed) {
+  random_.seed(seed);
+  add_noise(sigma);
+}
+
 void Sheet::cover(int left_px, int top_px, int right_px, int bottom_px) {
   for (int y = top_px; y < bottom_px; ++y) {
     for (int x = left_px; x < right_px; ++x) at(x, y) = kGround;

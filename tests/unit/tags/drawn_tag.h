@@ -41,6 +41,7 @@ class Sheet {
   /// Each pixel is the mean over a tent of two pixels' width: its own area, and a blur of the same size.
   void draw(const TagCells& cells, const PixelsFromTag& pixels_from_tag);
   void add_noise(double sigma);
+  void add_noise(double sigma, std::uint32_t seed);
   void cover(int left_px, int top_px, int right_px, int bottom_px);
   void mirror();
   void scale_contrast(double factor);

@@ -1,0 +1,59 @@
+#include "app/detection.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "app/detector_settings.h"
+#include "line/detect/led_detector.h"
+#include "tags/tag_points.h"
+
+namespace tripoint {
+namespace {
+
+DetectPoints led_detection(const DetectorConfig& config) {
+  const auto detector =
+      std::make_shared<LedDetector>(led_detector_settings(config));  // shared: std::function must be copyable
+  return [detector](const Picture& picture, const Forecast& forecast) {
+    const Detection found = detector->detect(picture, forecast);
+    Observation observation;
+    observation.points = found.points;
+    observation.health = found.health;
+    observation.forecast_used = forecast.number;
+    return observation;
+  };
+}
+
+Result<DetectPoints> tag_detection(const DetectorConfig& config, const MeasuredTarget& target) {
+  Result<TagDetector> opened = TagDetector::open({.family = target.tag_family, .min_margin = config.min_margin});
+  if (!opened) return tl::make_unexpected(opened.error());
+  std::vector<int> ids;
+  for (const TargetTag& tag : target.target.tags) {
+    if (tag.id >= opened->ids()) {
+      return failure(ErrorCode::kOutOfRange, fmt::format("{} has no tag {}: permitted is 0 to {}", target.tag_family,
+                                                         tag.id, opened->ids() - 1));
+    }
+    ids.push_back(tag.id);
+  }
+  const auto detector = std::make_shared<TagDetector>(std::move(*opened));  // shared: as above
+  return [detector, ids](const Picture& picture, const Forecast& forecast) {
+    const TagPoints found = points_of(detector->detect(picture), ids);
+    Observation observation;
+    observation.points = found.points;
+    observation.health = found.health;
+    observation.forecast_used = forecast.number;
+    return observation;
+  };
+}
+
+}  // namespace
+
+Result<DetectPoints> detection_of(const DetectorConfig& config, const MeasuredTarget& target) {
+  if (config.kind == ConfiguredDetector::kAprilTag) return tag_detection(config, target);
+  return led_detection(config);
+}
+
+bool needs_whole_pictures(const DetectorConfig& config) { return config.kind == ConfiguredDetector::kAprilTag; }
+
+}  // namespace tripoint

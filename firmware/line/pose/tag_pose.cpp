@@ -1,0 +1,153 @@
+#include "line/pose/tag_pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "geometry/diagonals.h"
+#include "line/pose/body_pose.h"
+#include "line/pose/locate.h"
+#include "line/pose/tilt.h"
+
+namespace tripoint {
+namespace {
+
+constexpr double kRunnerUp = 10.0;      // chi-square, as between LEDs that are alike
+constexpr double kSameTurn_rad = 1e-4;  // both starts came to one pose: far below any noise, far above the fit's end
+
+using Located = FixedVector<LocatedPoint, kMaxImagePoints>;
+
+std::size_t place_of_tag(int id, const Target& target) {
+  const auto same = [&](const TargetTag& tag) { return tag.id == id; };
+  return static_cast<std::size_t>(std::find_if(target.tags.begin(), target.tags.end(), same) - target.tags.begin());
+}
+
+/// Where the diagonals meet in a picture without distortion. The slopes are those of the picture as it is: distortion
+/// changes them by parts in a thousand across a tag.
+Result<ImagePoint> centre_in(std::span<const Pair> corners, Side side, const CameraModel& camera) {
+  std::array<Vec2, kTagCorners> straight;
+  std::array<Vec2, kTagCorners> places_px;
+  for (std::size_t k = 0; k < kTagCorners; ++k) {
+    const RawPixel& at = corners[k].points[side].seen.at;
+    const Result<NormalizedPoint> point = undistorted(camera, at);
+    if (!point) return tl::make_unexpected(point.error());
+    straight[k] = {point->x, point->y};
+    places_px[k] = {at.u_px, at.v_px};
+  }
+  const Vec2 middle = diagonals_of(straight).at;
+  const DiagonalCrossing crossing = diagonals_of(places_px);
+  const auto by_corner = [&](std::size_t corner) -> Matrix2 {
+    return crossing.by_corners.middleCols<2>(static_cast<Eigen::Index>(2 * (corner % kTagCorners)));
+  };
+  ImagePoint centre = corners[0].points[side].seen;
+  centre.at = distorted(camera, {middle.x(), middle.y()});
+  centre.covariance_px2 = Matrix2::Zero();
+  for (std::size_t k = 0; k < kTagCorners; ++k) {
+    const ImagePoint& corner = corners[k].points[side].seen;
+    const Matrix2 together = by_corner(k) * corner.shared_with_next_px2 * by_corner(k + 1).transpose();
+    centre.covariance_px2 +=
+        by_corner(k) * corner.covariance_px2 * by_corner(k).transpose() + together + together.transpose();
+  }
+  return centre;
+}
+
+/// Four corners as one pair. Its timing is that of a corner: a tag moves as one.
+Result<Pair> centre_of(std::span<const Pair> corners, const Rig& rig) {
+  Pair centre = corners[0];
+  for (const Side side : kBothSides) {
+    const Result<ImagePoint> seen = centre_in(corners, side, rig.cameras[side]);
+    if (!seen) return tl::make_unexpected(seen.error());
+    centre.points[side].seen = *seen;
+  }
+  return centre;
+}
+
+Result<Located> located_centres(const Aligned& seen, const Pairs& pairs, const LineModel& model, Fit& fit) {
+  Located centres;
+  double squares_px2 = 0.0;
+  for (std::size_t first = 0; first + kTagCorners <= pairs.pairs.size(); first += kTagCorners) {
+    const Result<Pair> centre = centre_of({pairs.pairs.begin() + first, kTagCorners}, model.rig);
+    if (!centre) return tl::make_unexpected(centre.error());
+    const Result<LocatedPoint> at =
+        located(*centre, model.target.points[place_of_tag(centre->id, model.target)], seen, model);
+    if (!at) return tl::make_unexpected(at.error());
+    squares_px2 += residual_square_px2(*at);
+    fit.timing_sigma_mm = std::max(fit.timing_sigma_mm, at->moved_by_clocks_mm.norm());
+    fit.points.push_back(measured_point(*centre, *at, model));
+    centres.push_back(*at);
+  }
+  if (!centres.empty()) fit.residual_rms_px = std::sqrt(squares_px2 / static_cast<double>(centres.size()));
+  return centres;
+}
+
+Result<Located> located_corners(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
+  Located corners;
+  for (std::size_t i = 0; i < pairs.pairs.size(); ++i) {
+    const Pair& pair = pairs.pairs[i];
+    const TargetTag& tag = model.target.tags[place_of_tag(pair.id, model.target)];
+    Result<LocatedPoint> at =
+        located(pair, {tag.id, tag.corners_mm[i % kTagCorners], tag.uncertainty_mm, std::nullopt}, seen, model);
+    if (!at) return tl::make_unexpected(at.error());
+    at->next = i - i % kTagCorners + (i + 1) % kTagCorners;
+    for (const Side side : kBothSides) at->shared_with_next_px2[side] = pair.points[side].seen.shared_with_next_px2;
+    corners.push_back(*at);
+  }
+  return corners;
+}
+
+bool same_turn(const BodyPose& one, const BodyPose& other) {
+  return Eigen::AngleAxisd(one.rig_from_target.linear().transpose() * other.rig_from_target.linear()).angle() <
+         kSameTurn_rad;
+}
+
+struct Solved {
+  std::optional<BodyPose> pose;
+  Faults faults;
+};
+
+Solved solved_by_corners(const Located& corners, const LineModel& model) {
+  const std::span<const LocatedPoint> points{corners.begin(), corners.size()};
+  FixedVector<Vec3, kMaxImagePoints> in_target_mm;
+  for (const LocatedPoint& point : points) in_target_mm.push_back(point.of.in_target_mm);
+  const Isometry3 start = pose_of_widest_triangle(points);
+  const Result<BodyPose> one = pose_of_body(points, model, start);
+  const Result<BodyPose> other =
+      pose_of_body(points, model, tilted_over(start, {in_target_mm.begin(), in_target_mm.size()}));
+  if (!one && !other) return {std::nullopt, {Fault::kGeometryGate}};
+  if (!one || !other) return {one ? *one : *other, {}};
+  if (!same_turn(*one, *other) && std::abs(one->chi2 - other->chi2) < kRunnerUp) {
+    return {std::nullopt, {Fault::kAmbiguous}};
+  }
+  return {one->chi2 <= other->chi2 ? *one : *other, {}};
+}
+
+Solved solved_by_centres(const Located& centres, const LineModel& model) {
+  if (centres.size() < 3) return {std::nullopt, {Fault::kNotSeenLeft, Fault::kNotSeenRight}};
+  const Result<BodyPose> pose = pose_of_body({centres.begin(), centres.size()}, model);
+  if (!pose) return {std::nullopt, {Fault::kGeometryGate}};
+  return {*pose, {}};
+}
+
+}  // namespace
+
+Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
+  Fit fit;
+  if (pairs.pairs.empty()) return fit;
+  const Result<Located> centres = located_centres(seen, pairs, model, fit);
+  const bool by_centres = model.method == Method::kPaper;
+  const Result<Located> points = by_centres ? centres : located_corners(seen, pairs, model);
+  if (!centres || !points) {
+    fit.faults.insert(Fault::kGeometryGate);
+    return fit;
+  }
+  const Solved solved = by_centres ? solved_by_centres(*points, model) : solved_by_corners(*points, model);
+  fit.faults.insert(solved.faults);
+  if (!solved.pose) return fit;
+  fit.pose = solved.pose->in_output;
+  fit.uncorrected_cost_mm = solved.pose->uncorrected_cost_mm;
+  return fit;
+}
+
+}  // namespace tripoint

@@ -1,0 +1,50 @@
+#include "tags/tag_points.h"
+
+#include <algorithm>
+
+namespace tripoint {
+namespace {
+
+constexpr double kClipped = 254.0;  // mean luma; noise takes some of it below 255
+
+Matrix2 covariance_of(const TagOutline& outline, std::size_t corner, std::size_t other) {
+  return outline.covariance_px2.block<2, 2>(static_cast<Eigen::Index>(2 * corner),
+                                            static_cast<Eigen::Index>(2 * other));
+}
+
+ImagePoint point_of(const SeenTag& tag, std::size_t corner) {
+  ImagePoint point;
+  point.at = tag.outline.corners_px[corner];
+  point.covariance_px2 = covariance_of(tag.outline, corner, corner);
+  point.label = PointLabel{tag.decoded.id, static_cast<int>(corner)};
+  point.shared_with_next_px2 = covariance_of(tag.outline, corner, (corner + 1) % kTagCorners);
+  point.amplitude = tag.outline.light - tag.outline.dark;
+  point.peak = tag.outline.light;
+  point.saturated = clips(tag.outline);
+  return point;
+}
+
+}  // namespace
+
+bool clips(const TagOutline& outline) { return outline.light >= kClipped; }
+
+TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids) {
+  TagPoints found;
+  found.health.mean_luma = seen.mean_luma;
+  found.health.candidates_cut = seen.cut;
+  for (const SeenTag& tag : seen.tags) {
+    if (tag.outline.cause != TagCause::kKept) continue;
+    if (std::find(wanted_ids.begin(), wanted_ids.end(), tag.decoded.id) == wanted_ids.end()) continue;
+    if (found.points.size() + kTagCorners > kMaxImagePoints) {
+      found.health.candidates_cut = true;
+      continue;
+    }
+    const double light = tag.outline.light;
+    found.health.peak_luma = std::max(found.health.peak_luma, light);
+    found.health.dimmest_luma = found.points.empty() ? light : std::min(found.health.dimmest_luma, light);
+    for (std::size_t corner = 0; corner < kTagCorners; ++corner) found.points.push_back(point_of(tag, corner));
+  }
+  return found;
+}
+
+}  // namespace tripoint

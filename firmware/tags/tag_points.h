@@ -1,0 +1,22 @@
+// Seen tags as what the line takes: image points with labels.
+#pragma once
+
+#include <span>
+
+#include "line/observation.h"
+#include "tags/tag_detector.h"
+
+namespace tripoint {
+
+struct TagPoints {
+  FixedVector<ImagePoint, kMaxImagePoints> points;  ///< four for each tag, in the order of its corners
+  ImageHealth health;                               ///< candidates_cut: there were more than there is room for
+};
+
+/// Of the kept tags those whose id is wanted, also when one is there twice: the line refuses that.
+TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids);
+
+/// Whether the light side of a tag's edges clips: they then seem to lie too far in the dark.
+bool clips(const TagOutline& outline);
+
+}  // namespace tripoint
