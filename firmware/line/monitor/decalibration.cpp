@@ -7,15 +7,16 @@
 namespace tripoint {
 namespace {
 
-constexpr int kMemory = 30;                              // views: a second
-constexpr int kLeastViews = 8;                           // before anything is judged
-constexpr Duration kForgets = std::chrono::seconds(10);  // without a view of the target
+constexpr int kMemory = 30;                           // views: a second
+constexpr int kLeastViews = 4;                        // before anything is judged
+constexpr Duration kShown = std::chrono::seconds(2);  // after the newest view: what is found is no longer news
 // Spots err alike from view to view: the noise of so many views is taken for that of one.
 constexpr double kAlike = 2.0;
-// Chi-square with three degrees of freedom: above once in 700,000 units; below nine in ten times.
+// Chi-square with three degrees of freedom: above once in 700,000 units, and in 6,000.
 constexpr double kAlarm = 30.0;
-constexpr double kOver = 6.25;
-constexpr double kUsualTurn_rad = 1.7e-3;  // a tenth of a degree: how far a target is still recognised after a knock
+constexpr double kExcluded = 20.0;
+constexpr double kUsualTurn_rad = 1.7e-3;   // a tenth of a degree: how far a target is still recognised after a knock
+constexpr double kUnstatedTurn_rad = 1e-4;  // standard deviation, of a calibration that does not state its own
 
 bool is_whole(const Pairs& pairs, const LineModel& model) {
   return pairs.faults.empty() && pairs.pairs.size() == model.target.points.size();
@@ -31,20 +32,27 @@ void Decalibration::watch(const LineModel& model) {
 }
 
 void Decalibration::learn(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
-  if (!seen.common_time || seen.at < looked_ + kLeastApart) return;
+  if (!seen.common_time || !seen.faults.empty()) return;
   if (!model.calibrated || !model.calibration_fits || model.target.points.size() < 3) return;
   if (!model.target.tags.empty()) return;
-  looked_ = seen.at;
-  const Pairs target = is_whole(pairs, model) ? pairs : match(seen, turned_);
-  if (!is_whole(target, model)) return;
-  const std::optional<TurnEvidence> evidence = turn_evidence(target, model);
+  const auto too_soon = [&](TimePoint last) { return seen.at >= last && seen.at < last + kLeastApart; };
+  if (too_soon(found_.newest)) return;
+  if (is_whole(pairs, model)) {
+    take(turn_evidence(pairs, model), seen.at, model);
+  } else if (!too_soon(searched_)) {
+    searched_ = seen.at;
+    const Pairs target = match(seen, turned_);
+    if (is_whole(target, model)) take(turn_evidence(target, model), seen.at, model);
+  }
+}
+
+void Decalibration::take(const std::optional<TurnEvidence>& evidence, TimePoint at, const LineModel& model) {
   if (!evidence) return;
-  add(*evidence, seen.at);
+  add(*evidence, at);
   judge(model, evidence->place_by_turn_mm);
 }
 
 void Decalibration::add(const TurnEvidence& evidence, TimePoint at) {
-  if (!found_.alarm && at > found_.newest + kForgets) found_ = Findings{};
   found_.newest = at;
   found_.views = std::min(found_.views + 1, kMemory);
   const double kept = 1.0 - 1.0 / kMemory;
@@ -59,33 +67,56 @@ void Decalibration::add(const TurnEvidence& evidence, TimePoint at) {
   found_.side_error_mm += (evidence.side_error_mm - found_.side_error_mm) / found_.views;
 }
 
-void Decalibration::judge(const LineModel& model, const Matrix3& place_by_turn_mm) {
+Matrix3 Decalibration::spread_without_turn(const LineModel& model) const {
   const TurnEquations& sums = found_.sums;
   const Matrix3 information = sums.middleCols<3>(kTurnColumn);
-  const Vec3 seen = sums.col(kSeenColumn);
-  const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
-  const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(model.covariance);
   // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz their sum spreads no more than this.
-  Matrix3 spread = kAlike * information + calibration.lazyProduct(by_calibration.transpose()) +
-                   found_.clock_sigmas * found_.clock_spreads;
+  Matrix3 spread = kAlike * information + found_.clock_sigmas * found_.clock_spreads;
+  if (model.covariance.isZero(0.0)) {
+    spread += kUnstatedTurn_rad * kUnstatedTurn_rad * information * information;
+  } else {
+    const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
+    const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(model.covariance);
+    spread += calibration.lazyProduct(by_calibration.transpose());
+  }
   for (std::size_t i = 0; i < model.target.points.size(); ++i) {
     const Matrix3 by_point = sums.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(i));
     const double sigma_mm = model.target.points[i].uncertainty_mm / 2.0;
     spread += sigma_mm * sigma_mm * by_point * by_point.transpose();
   }
-  const double chi2 = seen.dot(Eigen::LDLT<Matrix3>(spread).solve(seen));
-  found_.moved_mm = (place_by_turn_mm * Eigen::LDLT<Matrix3>(information).solve(seen)).norm();
-  found_.alarm = found_.views >= kLeastViews && chi2 > (found_.alarm ? kOver : kAlarm);
+  return spread;
+}
+
+void Decalibration::judge(const LineModel& model, const Matrix3& place_by_turn_mm) {
+  const Matrix3 information = found_.sums.middleCols<3>(kTurnColumn);
+  const Vec3 seen = found_.sums.col(kSeenColumn);
+  const Eigen::LDLT<Matrix3> spread(spread_without_turn(model));
+  const auto chi2 = [&](const Vec3& turn_rad) -> double {
+    const Vec3 unexplained = seen - information * turn_rad;
+    return unexplained.dot(spread.solve(unexplained));
+  };
+  const Vec3 turn_rad = Eigen::LDLT<Matrix3>(information).solve(seen);
+  const double without = chi2(Vec3::Zero());
+  found_.moved_mm = (place_by_turn_mm * turn_rad).norm();
+  if (found_.views < kLeastViews) return;
+  if (without > std::max(kAlarm, found_.alarm ? found_.alarm_chi2 : 0.0)) {
+    found_.alarm = true;
+    found_.alarm_chi2 = without;
+    found_.alarm_turn_rad = turn_rad;
+  } else if (found_.alarm && without < kExcluded && chi2(found_.alarm_turn_rad) > kExcluded) {
+    found_.alarm = false;
+  }
 }
 
 Measurement Decalibration::judged(Measurement measurement) const {
-  if (found_.views >= kLeastViews) {
+  if (found_.views >= kLeastViews && measurement.exposed <= found_.newest + kShown) {
     measurement.side_length_error_mm = found_.side_error_mm;
     measurement.decalibration_mm = found_.moved_mm;
   }
   if (found_.alarm) {
     measurement.faults.insert(Fault::kDecalibration);
     measurement.pose.reset();
+    for (MeasuredPoint& point : measurement.points) point.id = 0;
   }
   return measurement;
 }

@@ -17,8 +17,9 @@ namespace tripoint {
 /// A knocked camera makes poses wrong that look right: what it turns about the vertical moves no point off its epipolar
 /// line. So the turn of the right camera against the left is estimated from epipolar distances and the target's sides
 /// together, over about the last second in which the whole target was seen. It is an alarm when noise, calibration and
-/// target, each as uncertain as stated, hardly ever explain it. A target of one or two points shows too little, and
-/// watches nothing; nor does one of tags.
+/// target, each as uncertain as stated, hardly ever explain it. It ends when the target shows that the turn which
+/// raised it is no more: not for want of evidence. A target of one or two points shows too little, and watches
+/// nothing; nor does one of tags.
 ///
 /// A target that no longer fits the calibration is looked for by one that may have turned by a tenth of a degree; what
 /// it finds is evidence, never a pose.
@@ -29,7 +30,8 @@ class Decalibration {
 
   void learn(const Aligned& seen, const Pairs& pairs, const LineModel& model);
 
-  /// The measurement with side-length error and estimate, and with kDecalibration in place of a pose during an alarm.
+  /// The measurement with side-length error and estimate, while they are news, and during an alarm with kDecalibration
+  /// in place of a pose, its points without identity.
   [[nodiscard]] Measurement judged(Measurement measurement) const;
 
   /// Evidence is taken no closer in time: nearer verdicts share pictures.
@@ -45,14 +47,18 @@ class Decalibration {
     double side_error_mm = 0.0;
     double moved_mm = 0.0;
     bool alarm = false;
+    double alarm_chi2 = 0.0;  ///< the largest since it was raised, and the turn that it spoke for
+    Vec3 alarm_turn_rad = Vec3::Zero();
   };
 
+  void take(const std::optional<TurnEvidence>& evidence, TimePoint at, const LineModel& model);
   void add(const TurnEvidence& evidence, TimePoint at);
+  [[nodiscard]] Matrix3 spread_without_turn(const LineModel& model) const;
   void judge(const LineModel& model, const Matrix3& place_by_turn_mm);
 
   LineModel turned_;  // the model, less sure of how the cameras are turned
   Findings found_;
-  TimePoint looked_{};
+  TimePoint searched_{};  // for a target that no longer fits
 };
 
 }  // namespace tripoint
