@@ -34,7 +34,7 @@ struct EdgeFit {
 /// the straight line through them by least squares, without those beyond three deviations. The variances come from how
 /// the crossings scatter about the line.
 ///
-/// @return kTooSmall, kCutByBorder, kNoContrast or kCrookedEdge when there is no such edge
+/// @return kTooSmall, kCutByBorder, kNoContrast, kCrookedEdge or kBlurred when there is no such edge
 EdgeFit edge_line(const LumaCopy& luma, const RoughEdge& edge);
 
 }  // namespace tripoint

@@ -24,6 +24,12 @@ ImagePoint point_of(const SeenTag& tag, std::size_t corner) {
   return point;
 }
 
+/// Another print of the same tag, measured or not, makes it unknown which of them is the target's.
+bool is_alone(const SeenTag& tag, const SeenTags& seen) {
+  return std::count_if(seen.tags.begin(), seen.tags.end(),
+                       [&](const SeenTag& other) { return other.decoded.id == tag.decoded.id; }) == 1;
+}
+
 }  // namespace
 
 bool clips(const TagOutline& outline) { return outline.light >= kClipped; }
@@ -33,15 +39,18 @@ TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids) {
   found.health.mean_luma = seen.mean_luma;
   found.health.candidates_cut = seen.cut;
   for (const SeenTag& tag : seen.tags) {
-    if (tag.outline.cause != TagCause::kKept) continue;
+    const bool measured = tag.outline.cause == TagCause::kKept;
+    if (!measured && is_alone(tag, seen)) continue;
     if (std::find(wanted_ids.begin(), wanted_ids.end(), tag.decoded.id) == wanted_ids.end()) continue;
     if (found.points.size() + kTagCorners > kMaxImagePoints) {
       found.health.candidates_cut = true;
       continue;
     }
-    const double light = tag.outline.light;
-    found.health.peak_luma = std::max(found.health.peak_luma, light);
-    found.health.dimmest_luma = found.points.empty() ? light : std::min(found.health.dimmest_luma, light);
+    if (measured) {
+      const double light = tag.outline.light;
+      found.health.peak_luma = std::max(found.health.peak_luma, light);
+      found.health.dimmest_luma = found.health.dimmest_luma == 0.0 ? light : std::min(found.health.dimmest_luma, light);
+    }
     for (std::size_t corner = 0; corner < kTagCorners; ++corner) found.points.push_back(point_of(tag, corner));
   }
   return found;

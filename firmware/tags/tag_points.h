@@ -13,7 +13,8 @@ struct TagPoints {
   ImageHealth health;                               ///< candidates_cut: there were more than there is room for
 };
 
-/// Of the kept tags those whose id is wanted, also when one is there twice: the line refuses that.
+/// Of the kept tags those whose id is wanted; of an id that was decoded twice all, also the rough ones: the line
+/// refuses that.
 TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids);
 
 /// Whether the light side of a tag's edges clips: they then seem to lie too far in the dark.

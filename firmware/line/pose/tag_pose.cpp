@@ -146,6 +146,7 @@ Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model
   fit.faults.insert(solved.faults);
   if (!solved.pose) return fit;
   fit.pose = solved.pose->in_output;
+  fit.timing_sigma_mm = std::max(fit.timing_sigma_mm, solved.pose->timing_sigma_mm);
   fit.uncorrected_cost_mm = solved.pose->uncorrected_cost_mm;
   return fit;
 }

@@ -98,6 +98,20 @@ void Sheet::cover(int left_px, int top_px, int right_px, int bottom_px) {
   }
 }
 
+void Sheet::smear(int width_px) {
+  for (int y = 0; y < size_.height_px; ++y) {
+    const std::vector<double> row(&at(0, y), &at(0, y) + size_.width_px);
+    for (int x = 0; x < size_.width_px; ++x) {
+      double sum = 0.0;
+      for (int k = 0; k < width_px; ++k) {
+        const int from = std::clamp(x + k - width_px / 2, 0, size_.width_px - 1);
+        sum += row[static_cast<std::size_t>(from)];
+      }
+      at(x, y) = sum / width_px;
+    }
+  }
+}
+
 void Sheet::mirror() {
   for (int y = 0; y < size_.height_px; ++y) {
     std::reverse(&at(0, y), &at(0, y) + size_.width_px);

@@ -44,6 +44,8 @@ class Sheet {
   void add_noise(double sigma, std::uint32_t seed);
   void cover(int left_px, int top_px, int right_px, int bottom_px);
   void mirror();
+  /// What moves along u by so much while it is exposed.
+  void smear(int width_px);
   void scale_contrast(double factor);
 
   /// Rounded to whole luma steps; a view that this sheet owns.

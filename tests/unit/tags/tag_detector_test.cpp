@@ -180,6 +180,31 @@ TEST(TagDetectorTest, ACoveredCornerIsNotGuessed) {
   }
 }
 
+// A slope that is wider than what is looked at says nothing of where the edge lies, however well its places line up.
+TEST(TagDetectorTest, ATagThatMotionBlursIsMeasuredOrRefused) {
+  TagDetector detector = detector_for();
+  std::mt19937 random(3);
+  int measured = 0;
+  int refused = 0;
+  for (int view = 0; view < 30; ++view) {
+    Sheet sheet({640, 480}, static_cast<std::uint32_t>(view));
+    const Matrix3 pixels_from_tag = random_view(random);
+    sheet.draw(tag36h11(kCodes36h11[0]), pixels_from_tag);
+    sheet.smear(1 + 2 * (view % 5));  // odd: nothing moves
+    sheet.add_noise(2.0);
+    for (const SeenTag& tag : detector.detect(sheet.grey()).tags) {
+      if (tag.outline.cause == TagCause::kBlurred) ++refused;
+      if (tag.outline.cause != TagCause::kKept) continue;
+      ++measured;
+      const Errors errors = errors_px(tag.outline, pixels_from_tag);
+      EXPECT_LT(errors.cwiseAbs().maxCoeff(), 0.15) << "view " << view;
+      EXPECT_LT(errors.dot(tag.outline.covariance_px2.ldlt().solve(errors)), 40.0) << "view " << view;
+    }
+  }
+  EXPECT_GT(measured, 6);
+  EXPECT_GT(refused, 6);
+}
+
 TEST(TagDetectorTest, TheBitsOfATagWithHardlyAnyContrastAreUnsure) {
   TagDetector detector = detector_for();
   Sheet sheet;

@@ -94,6 +94,19 @@ TEST(TagLineTest, TwoPicturesOfThreeTagsGiveTheDrawnPose) {
   EXPECT_EQ(verdict->points.size(), 3U);
 }
 
+TEST(TagLineTest, APrintThatCannotBeMeasuredStillStandsBesideTheOtherOfItsId) {
+  const std::array<int, 1> ids{7};
+  SeenTag measured;
+  measured.decoded.id = 7;
+  SeenTag blurred = measured;
+  blurred.outline.cause = TagCause::kBlurred;
+  SeenTags seen;
+  seen.tags.push_back(blurred);
+  EXPECT_EQ(points_of(seen, ids).points.size(), 0U);
+  seen.tags.push_back(measured);
+  EXPECT_EQ(points_of(seen, ids).points.size(), 2 * kTagCorners);
+}
+
 TEST(TagLineTest, ATagThatIsNotWantedIsNoPoint) {
   const LineModel model = drawn_model();
   TagDetector detector = *TagDetector::open({});
