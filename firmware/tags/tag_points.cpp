@@ -5,6 +5,8 @@
 namespace tripoint {
 namespace {
 
+// What a camera does to an edge and the scatter along it does not show: tone curve, sharpening, mosaic, compression.
+constexpr double kCamera_px = 0.05;
 constexpr double kClipped = 254.0;  // mean luma; noise takes some of it below 255
 
 Matrix2 covariance_of(const TagOutline& outline, std::size_t corner, std::size_t other) {
@@ -15,7 +17,7 @@ Matrix2 covariance_of(const TagOutline& outline, std::size_t corner, std::size_t
 ImagePoint point_of(const SeenTag& tag, std::size_t corner) {
   ImagePoint point;
   point.at = tag.outline.corners_px[corner];
-  point.covariance_px2 = covariance_of(tag.outline, corner, corner);
+  point.covariance_px2 = covariance_of(tag.outline, corner, corner) + kCamera_px * kCamera_px * Matrix2::Identity();
   point.label = PointLabel{tag.decoded.id, static_cast<int>(corner)};
   point.shared_with_next_px2 = covariance_of(tag.outline, corner, (corner + 1) % kTagCorners);
   point.amplitude = tag.outline.light - tag.outline.dark;
