@@ -186,7 +186,7 @@ TEST(TagDetectorTest, ATagThatMotionBlursIsMeasuredOrRefused) {
   std::mt19937 random(3);
   int measured = 0;
   int refused = 0;
-  for (int view = 0; view < 30; ++view) {
+  for (int view = 0; view < 15; ++view) {
     Sheet sheet({640, 480}, static_cast<std::uint32_t>(view));
     const Matrix3 pixels_from_tag = random_view(random);
     sheet.draw(tag36h11(kCodes36h11[0]), pixels_from_tag);
@@ -201,8 +201,8 @@ TEST(TagDetectorTest, ATagThatMotionBlursIsMeasuredOrRefused) {
       EXPECT_LT(errors.dot(tag.outline.covariance_px2.ldlt().solve(errors)), 40.0) << "view " << view;
     }
   }
-  EXPECT_GT(measured, 6);
-  EXPECT_GT(refused, 6);
+  EXPECT_GT(measured, 3);
+  EXPECT_GT(refused, 3);
 }
 
 TEST(TagDetectorTest, TheBitsOfATagWithHardlyAnyContrastAreUnsure) {
