@@ -48,7 +48,8 @@ endfunction()
 
 # Where tests find files: the only source that knows an absolute path, so that a compiler cache serves every checkout.
 if(TRIPOINT_TESTS)
-  add_library(tripoint_test_places STATIC ${PROJECT_SOURCE_DIR}/tests/unit/places.cpp)
+  add_library(tripoint_test_places STATIC ${PROJECT_SOURCE_DIR}/tests/unit/places.cpp
+              ${PROJECT_SOURCE_DIR}/tests/unit/scratch_folder.cpp)
   target_compile_definitions(tripoint_test_places PRIVATE TRIPOINT_TOP="${PROJECT_SOURCE_DIR}")
   target_link_libraries(tripoint_test_places PRIVATE tripoint_flags)
 endif()

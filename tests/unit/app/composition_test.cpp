@@ -2,6 +2,7 @@
 #include "app/composition.h"
 #include "contract/registers.h"
 #include "places.h"
+#include "scratch_folder.h"
 #include "sim/rendered_recording.h"
 
 #include <arpa/inet.h>
@@ -99,16 +100,14 @@ std::uint16_t free_port() {
 
 constexpr double kRecordedRate_hz = 15.0;
 
-/// Three seconds of what the demo's cameras see, in a folder of its own.
-std::filesystem::path recorded_demo() {
-  std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / fmt::format("recorded_demo_{}", getpid());
+/// Three seconds of what the demo's cameras see.
+void record_demo(const std::filesystem::path& folder) {
   SimulationSettings settings;
   settings.rig = default_rig(kSize);
   settings.format = PixelFormat::kMjpeg;
   settings.rate_hz = kRecordedRate_hz;
   const SimulatedWorld world = SimulatedWorld::create(settings).value();
   EXPECT_TRUE(write_rendered_recording(world, static_cast<int>(3.0 * kRecordedRate_hz), folder));
-  return folder;
 }
 
 /// Waits for an answer that is as it should be.
@@ -152,10 +151,11 @@ TEST(CompositionTest, ARecordingIsMeasuredWhileItPlays) {
   Config config = demo_config(port);
   config.cameras.source = CameraSource::kRecording;
   config.cameras.rate_hz = kRecordedRate_hz;
-  config.recording.folder = recorded_demo();
+  const test::ScratchFolder folder;
+  record_demo(folder.path());
+  config.recording.folder = folder.path();
   bool valid = false;
   const Result<void> ran = run_unit(config, [&] { valid = becomes_valid(port); });
-  std::filesystem::remove_all(config.recording.folder);
   EXPECT_TRUE(ran);
   EXPECT_TRUE(valid);
 }

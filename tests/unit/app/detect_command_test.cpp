@@ -2,7 +2,6 @@
 #include "app/detect_command.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "places.h"
+#include "scratch_folder.h"
 
 namespace tripoint {
 namespace {
@@ -47,18 +47,17 @@ class DetectCommandTest : public testing::TestWithParam<std::string> {
     }
     std::sort(pictures_.begin(), pictures_.end());
   }
-  void TearDown() override { fs::remove_all(explanations_); }
 
   [[nodiscard]] static bool explained() { return GetParam() != "apriltag"; }
   [[nodiscard]] DetectOptions options_for(std::vector<fs::path> pictures) const {
     return {.images = std::move(pictures),
             .config = {},
             .detector = GetParam(),
-            .explain = explained() ? explanations_ : fs::path()};
+            .explain = explained() ? explanations_.path() : fs::path()};
   }
 
   std::vector<fs::path> pictures_;
-  fs::path explanations_ = fs::path(testing::TempDir()) / ("explained-" + std::to_string(getpid()));
+  test::ScratchFolder explanations_;
 };
 
 TEST_P(DetectCommandTest, EachOfManyBrokenPicturesGivesItsLineAndItsExitCode) {

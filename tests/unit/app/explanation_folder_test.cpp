@@ -7,6 +7,8 @@
 #include <iterator>
 #include <string>
 
+#include "scratch_folder.h"
+
 namespace tripoint {
 namespace {
 
@@ -15,9 +17,6 @@ using testing::HasSubstr;
 
 class ExplanationFolderTest : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(top_); }
-  void TearDown() override { fs::remove_all(top_); }
-
   static void write(const fs::path& path, const std::string& text) {
     fs::create_directories(path.parent_path());
     std::ofstream(path) << text;
@@ -27,8 +26,7 @@ class ExplanationFolderTest : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  fs::path top_ = fs::path(testing::TempDir()) /
-                  testing::UnitTest::GetInstance()->current_test_info()->name();  // tests may run at the same time
+  test::ScratchFolder top_;
 };
 
 TEST_F(ExplanationFolderTest, TheFolderIsMadeAndTheFileNamedAfterThePicture) {
@@ -41,7 +39,7 @@ TEST_F(ExplanationFolderTest, TheFolderIsMadeAndTheFileNamedAfterThePicture) {
 }
 
 TEST_F(ExplanationFolderTest, PicturesOfTheSameNameGetNumbers) {
-  auto folder = ExplanationFolder::open(top_, {});
+  auto folder = ExplanationFolder::open(top_.path(), {});
   EXPECT_EQ(folder->write("a/x.png", "1"), top_ / "x.explain.png");
   EXPECT_EQ(folder->write("b/x.png", "2"), top_ / "x-2.explain.png");
   EXPECT_EQ(folder->write("x-2.jpg", "3"), top_ / "x-2-2.explain.png");
@@ -51,7 +49,7 @@ TEST_F(ExplanationFolderTest, PicturesOfTheSameNameGetNumbers) {
 
 TEST_F(ExplanationFolderTest, AnEarlierExplanationIsReplaced) {
   write(top_ / "x.explain.png", "of an earlier run");
-  auto folder = ExplanationFolder::open(top_, {});
+  auto folder = ExplanationFolder::open(top_.path(), {});
   EXPECT_EQ(folder->write("x.png", "new"), top_ / "x.explain.png");
   EXPECT_EQ(text_of(top_ / "x.explain.png"), "new");
 }
@@ -60,7 +58,7 @@ TEST_F(ExplanationFolderTest, AnInputIsNeverWrittenOverNotEvenByAnotherPath) {
   write(top_ / "x.explain.png", "a picture to look at");
   fs::create_directories(top_ / "other");
   const std::vector<fs::path> inputs{"x.png", top_ / "other/../x.explain.png"};
-  auto folder = ExplanationFolder::open(top_, inputs);
+  auto folder = ExplanationFolder::open(top_.path(), inputs);
   EXPECT_EQ(folder->write("x.png", "new"), top_ / "x-2.explain.png");
   EXPECT_EQ(text_of(top_ / "x.explain.png"), "a picture to look at");
 }
@@ -77,7 +75,7 @@ TEST_F(ExplanationFolderTest, AFileIsNoFolder) {
 
 TEST_F(ExplanationFolderTest, WhatCannotBeWrittenIsSaid) {
   fs::create_directories(top_ / "x.explain.png");
-  auto folder = ExplanationFolder::open(top_, {});
+  auto folder = ExplanationFolder::open(top_.path(), {});
   const auto written = folder->write("x.png", "PNG");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::kCannotWrite);

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -13,6 +12,7 @@
 
 #include "places.h"
 #include "ports/camera.h"
+#include "scratch_folder.h"
 #include "sim/renderer.h"
 #include "sim/settings.h"
 #include "sim/world.h"
@@ -60,7 +60,6 @@ SimulatedWorld world_showing_led(double z_mm, const ExposureSetting& setting, do
 class ExposeCommandTest : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(folder_);
     for (const char* name : {"demo.toml", "calibration.toml", "target.toml"}) {
       fs::copy_file(test::top_folder() / "deploy/demo" / name, folder_ / name, fs::copy_options::overwrite_existing);
     }
@@ -70,7 +69,6 @@ class ExposeCommandTest : public testing::Test {
     config_.volume.min_mm.z() = kNear_mm;
     config_.volume.max_mm.z() = kFar_mm;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] fs::path file() const { return folder_ / "demo.toml"; }
   [[nodiscard]] std::string file_text() const {
@@ -109,7 +107,7 @@ class ExposeCommandTest : public testing::Test {
   std::string stderr_;
 
  private:
-  fs::path folder_ = fs::path(testing::TempDir()) / ("expose-" + std::to_string(getpid()));
+  test::ScratchFolder folder_;
 };
 
 TEST_F(ExposeCommandTest, WhatTheCheckConfirmsIsWritten) {

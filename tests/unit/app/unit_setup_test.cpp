@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "places.h"
+#include "scratch_folder.h"
 
 namespace tripoint {
 namespace {
@@ -17,14 +18,19 @@ Result<UnitSetup> demo_setup(const std::vector<std::string>& overrides = {}) {
   return load_config(test::top_folder() / "deploy/demo/demo.toml", overrides).and_then(unit_setup);
 }
 
-/// A file of one tag; its path.
-std::string tag_target(const std::string& name) {
-  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / name;
-  std::ofstream(path)
-      << "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"tag36h11\"\n[[tags]]\nid = 1\n"
-         "size_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
-  return path.string();
-}
+/// A file of one tag.
+class TagTarget {
+ public:
+  explicit TagTarget(int id = 1, const std::string& family = "tag36h11") {
+    std::ofstream(path()) << "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"" << family
+                          << "\"\n[[tags]]\nid = " << id
+                          << "\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
+  }
+  [[nodiscard]] std::string path() const { return (folder_ / "tag.toml").string(); }
+
+ private:
+  test::ScratchFolder folder_;
+};
 
 CameraStatus camera(const std::string& serial, ImageSize size = {640, 480}) {
   CameraStatus status;
@@ -79,7 +85,8 @@ TEST(UnitSetupTest, SpheresAreNotMeasuredAndTheRemedyIsSaid) {
 }
 
 TEST(UnitSetupTest, ATargetOfTagsNeedsTheirDetectorAndTheOtherWayRound) {
-  const std::string tags = "target.file=" + tag_target("tags.toml");
+  const TagTarget target;
+  const std::string tags = "target.file=" + target.path();
   const Result<UnitSetup> setup = demo_setup({tags, "detector.kind=apriltag"});
   ASSERT_TRUE(setup) << setup.error().message;
   EXPECT_EQ(setup->constants.identity.mode, registers::Mode::kApriltagPose);
@@ -95,12 +102,9 @@ TEST(UnitSetupTest, ATargetOfTagsNeedsTheirDetectorAndTheOtherWayRound) {
 }
 
 TEST(UnitSetupTest, ATagThatItsFamilyDoesNotHaveIsNamedWithThoseItHas) {
-  const std::string path = tag_target("tag.toml");
   for (const auto& [family, id, said] : {std::tuple{"tag16h5", 30, "0 to 29"}, {"tag99", 1, "tagStandard41h12"}}) {
-    std::ofstream(path) << "format = \"tripoint-target/1\"\ndetector = \"apriltag\"\nfamily = \"" << family
-                        << "\"\n[[tags]]\nid = " << id
-                        << "\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
-    const Result<UnitSetup> refused = demo_setup({"target.file=" + path, "detector.kind=apriltag"});
+    const TagTarget target(id, family);
+    const Result<UnitSetup> refused = demo_setup({"target.file=" + target.path(), "detector.kind=apriltag"});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
     EXPECT_NE(refused.error().message.find(said), std::string::npos) << refused.error().message;
@@ -114,9 +118,10 @@ TEST(UnitSetupTest, ModulationIsPartOfTheSetupAndNeedsATargetOfLeds) {
   EXPECT_EQ(setup->target.target.points[0].id, 1);
   EXPECT_NE(setup->constants.identity.setup, demo_setup()->constants.identity.setup);
 
-  const std::string tags = tag_target("modulated_tags.toml");
-  EXPECT_TRUE(demo_setup({"calibration.file=", "target.file=" + tags, "detector.kind=apriltag"}));
-  const Result<UnitSetup> refused = demo_setup({"calibration.file=", "target.file=" + tags, "modulation.enabled=true"});
+  const TagTarget target;
+  const std::string tags = "target.file=" + target.path();
+  EXPECT_TRUE(demo_setup({"calibration.file=", tags, "detector.kind=apriltag"}));
+  const Result<UnitSetup> refused = demo_setup({"calibration.file=", tags, "modulation.enabled=true"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kMismatch);
   EXPECT_NE(refused.error().message.find("target.file: the target is made of AprilTags"), std::string::npos)

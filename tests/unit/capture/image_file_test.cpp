@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "scratch_folder.h"
 #include "test_pictures.h"
 
 namespace tripoint {
@@ -15,11 +16,9 @@ class ImageFileTest : public testing::Test {
     std::ofstream file(path_, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   }
-  void TearDown() override { std::filesystem::remove(path_); }
 
-  std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("image_file_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::ScratchFolder folder_;
+  std::filesystem::path path_ = folder_ / "image";
 };
 
 TEST_F(ImageFileTest, AJpegIsKnownByItsBytes) {
@@ -48,7 +47,7 @@ TEST_F(ImageFileTest, AMissingFileIsNamed) {
 }
 
 TEST_F(ImageFileTest, AFolderIsNotAFile) {
-  const auto image = LoadedImage::load(testing::TempDir());
+  const auto image = LoadedImage::load(folder_.path());
   ASSERT_FALSE(image);
   EXPECT_EQ(image.error().code, ErrorCode::kCannotRead);
 }

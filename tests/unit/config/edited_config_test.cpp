@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "document/file.h"
+#include "scratch_folder.h"
 
 namespace tripoint {
 namespace {
@@ -118,17 +119,11 @@ TEST(EditedConfigTest, AValueThatTheConfigurationRefusesIsRefused) {
 
 class EditedFileTest : public ::testing::Test {
  protected:
-  EditedFileTest() {
-    std::filesystem::create_directories(folder_);
-    EXPECT_TRUE(write_file_whole(file_, kWritten));
-  }
-  ~EditedFileTest() override { std::filesystem::remove_all(folder_); }
+  EditedFileTest() { EXPECT_TRUE(write_file_whole(file_, kWritten)); }
 
   [[nodiscard]] std::string content() const { return read_file(file_, 10'000).value(); }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("edited_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::ScratchFolder folder_;
   std::filesystem::path file_ = folder_ / "unit.toml";
 };
 

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "fake_v4l2_driver.h"
+#include "scratch_folder.h"
 
 namespace tripoint {
 namespace {
@@ -20,11 +21,7 @@ using testing::HasSubstr;
 /// A tree as the kernel shows it: class/video4linux/videoN, whose device leads to a USB interface.
 class CameraFinderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(roots_.sys);
-    fs::create_directories(roots_.sys / "class/video4linux");
-  }
-  void TearDown() override { fs::remove_all(roots_.sys); }
+  void SetUp() override { fs::create_directories(roots_.sys / "class/video4linux"); }
 
   static void write(const fs::path& file, std::string_view text) { std::ofstream(file) << text << "\n"; }
 
@@ -49,9 +46,8 @@ class CameraFinderTest : public testing::Test {
 
   test::WaitingClock clock_;
   test::FakeV4l2Driver driver_{clock_};
-  DeviceRoots roots_{fs::path(testing::TempDir()) /
-                         (std::string("sys_") + testing::UnitTest::GetInstance()->current_test_info()->name()),
-                     "/dev"};
+  test::ScratchFolder sys_;
+  DeviceRoots roots_{sys_.path(), "/dev"};
 };
 
 TEST_F(CameraFinderTest, ACameraIsNamedByPortAndSerial) {

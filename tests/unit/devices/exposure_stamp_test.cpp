@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "devices/v4l2_driver.h"
+#include "scratch_folder.h"
 
 namespace tripoint {
 namespace {
@@ -27,19 +28,18 @@ TEST(ExposureStampTest, TheStartIsHalfAnExposureBeforeTheMiddle) {
 class StampPointTest : public ::testing::Test {
  protected:
   StampPointTest() { std::filesystem::create_directories(parameters()); }
-  ~StampPointTest() override { std::filesystem::remove_all(sys_); }
 
   StampPoint with(const std::string& hwtimestamps) {
     std::ofstream(parameters() / "hwtimestamps") << hwtimestamps;
-    return KernelV4l2Driver(sys_).stamp_point();
+    return KernelV4l2Driver(sys_.path()).stamp_point();
   }
   [[nodiscard]] std::filesystem::path parameters() const { return sys_ / "module/uvcvideo/parameters"; }
 
-  std::filesystem::path sys_ = std::filesystem::path(::testing::TempDir()) / "stamp_point_test";
+  test::ScratchFolder sys_;
 };
 
 TEST_F(StampPointTest, UvcvideoStampsTheFirstByteUnlessToldOtherwise) {
-  EXPECT_EQ(KernelV4l2Driver(sys_).stamp_point(), StampPoint::kFirstByte);  // the module has no such parameter
+  EXPECT_EQ(KernelV4l2Driver(sys_.path()).stamp_point(), StampPoint::kFirstByte);  // the module has no such parameter
   EXPECT_EQ(with("0\n"), StampPoint::kFirstByte);
 }
 

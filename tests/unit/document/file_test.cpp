@@ -9,25 +9,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scratch_folder.h"
+
 namespace tripoint {
 namespace {
 
-/// An empty folder of this test alone, gone at its end.
 class FileTest : public ::testing::Test {
  protected:
-  FileTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "tripoint-file-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  FileTest(const FileTest&) = delete;
-  FileTest& operator=(const FileTest&) = delete;
-  ~FileTest() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] auto files_in_folder() const {
-    return std::distance(std::filesystem::directory_iterator{folder_}, std::filesystem::directory_iterator{});
+    return std::distance(std::filesystem::directory_iterator{folder_.path()}, std::filesystem::directory_iterator{});
   }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
 
 TEST_F(FileTest, WhatWasWrittenIsRead) {
@@ -68,7 +61,7 @@ TEST_F(FileTest, ReadingHasALimit) {
 TEST_F(FileTest, WhatIsNoFileCannotBeRead) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);  // opening it for reading must not wait for a writer
   EXPECT_EQ(read_file(folder_ / "pipe", 10).error().code, ErrorCode::kCannotRead);
-  EXPECT_EQ(read_file(folder_, 10).error().code, ErrorCode::kCannotRead);
+  EXPECT_EQ(read_file(folder_.path(), 10).error().code, ErrorCode::kCannotRead);
   EXPECT_EQ(read_file(folder_ / "none", 10).error().code, ErrorCode::kCannotRead);
 }
 

@@ -1,23 +1,18 @@
 #include "recording_folder.h"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 
 namespace tripoint::test {
 
 RecordingFolder::RecordingFolder() {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  path_ =
-      std::filesystem::path(testing::TempDir()) / fmt::format("recording_{}_{}", test->test_suite_name(), test->name());
-  std::filesystem::remove_all(path_);
-  std::filesystem::create_directories(path_ / "left");
-  std::filesystem::create_directories(path_ / "right");
+  std::filesystem::create_directory(folder_ / "left");
+  std::filesystem::create_directory(folder_ / "right");
 }
 
 void RecordingFolder::write(const std::filesystem::path& name, std::string_view text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
+  std::ofstream(folder_ / name, std::ios::binary) << text;
 }
 
 void RecordingFolder::describe(std::string_view pixel_format) const {

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scratch_folder.h"
+
 #include "values/result.h"
 
 namespace tripoint::test {
@@ -18,9 +20,6 @@ inline constexpr std::size_t kYuyv_bytes = std::size_t{2} * kWidth_px * kHeight_
 class RecordingFolder {
  public:
   RecordingFolder();
-  RecordingFolder(const RecordingFolder&) = delete;
-  RecordingFolder& operator=(const RecordingFolder&) = delete;
-  ~RecordingFolder() { std::filesystem::remove_all(path_); }
 
   void write(const std::filesystem::path& name, std::string_view text) const;
   void describe(std::string_view pixel_format) const;
@@ -31,10 +30,10 @@ class RecordingFolder {
     write("frames.csv", "camera,index,exposure_mid_ns,arrival_ns\n" + std::string(text));
   }
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  std::filesystem::path path_;
+  ScratchFolder folder_;
 };
 
 /// The error's message, or "" and a failed test.

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scratch_folder.h"
 #include "still_world.h"
 
 namespace tripoint {
@@ -20,12 +21,6 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-fs::path fresh_folder(const std::string& folder) {
-  const fs::path path = fs::path(testing::TempDir()) / folder;
-  fs::remove_all(path);
-  return path;
-}
-
 SimulationSettings small_settings() {
   SimulationSettings settings = bare_settings();
   settings.rig = default_rig({.width_px = 320, .height_px = 240});
@@ -37,7 +32,8 @@ SimulationSettings small_settings() {
 
 TEST(RenderedRecordingTest, FolderHoldsFramesTimesAndTruth) {
   const SimulatedWorld world = world_of(small_settings(), time_from_ns(12'000'000'000));
-  const fs::path folder = fresh_folder("rendered");
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch / "new";
   ASSERT_TRUE(write_rendered_recording(world, 3, folder));
   EXPECT_EQ(text_of(folder / "left" / "00000002.yuyv").size(), 320U * 240U * 2U);
   EXPECT_EQ(fs::file_size(folder / "right" / "00000000.yuyv"), 320U * 240U * 2U);
@@ -64,8 +60,8 @@ TEST(RenderedRecordingTest, FramesAreThoseOfTheRenderer) {
   SimulationSettings settings = small_settings();
   settings.format = PixelFormat::kMjpeg;
   const SimulatedWorld world = world_of(settings);
-  const fs::path folder = fresh_folder("rendered_jpg");
-  ASSERT_TRUE(write_rendered_recording(world, 2, folder));
+  const test::ScratchFolder folder;
+  ASSERT_TRUE(write_rendered_recording(world, 2, folder.path()));
   const RenderedFrame frame = render(world, Side::kRight, std::chrono::milliseconds{500}, 1);
   const std::string written = text_of(folder / "right" / "00000001.jpg");
   EXPECT_TRUE(std::equal(written.begin(), written.end(), frame.pixels.begin(), frame.pixels.end(),
@@ -74,10 +70,9 @@ TEST(RenderedRecordingTest, FramesAreThoseOfTheRenderer) {
 
 TEST(RenderedRecordingTest, FolderInUseIsRefused) {
   const SimulatedWorld world = world_of(small_settings());
-  const fs::path folder = fresh_folder("in_use");
-  fs::create_directories(folder);
+  const test::ScratchFolder folder;
   std::ofstream(folder / "precious.txt") << "keep";
-  const Result<void> refused = write_rendered_recording(world, 1, folder);
+  const Result<void> refused = write_rendered_recording(world, 1, folder.path());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kCannotWrite);
   EXPECT_EQ(text_of(folder / "precious.txt"), "keep");
@@ -86,7 +81,8 @@ TEST(RenderedRecordingTest, FolderInUseIsRefused) {
 TEST(RenderedRecordingTest, GreyIsNoFormatOfARecording) {
   SimulationSettings settings = small_settings();
   settings.format = PixelFormat::kGrey;
-  const Result<void> refused = write_rendered_recording(world_of(settings), 1, fresh_folder("grey"));
+  const test::ScratchFolder folder;
+  const Result<void> refused = write_rendered_recording(world_of(settings), 1, folder.path());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kOutOfRange);
 }

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scratch_folder.h"
+
 namespace tripoint {
 namespace {
 
@@ -16,10 +18,11 @@ Vec3 place_at(const Trajectory& trajectory, double t_s) {
   return target_pose_at(trajectory, duration_from_seconds(t_s)).translation();
 }
 
-std::filesystem::path file_with(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "trajectory_test.csv";
+Result<Trajectory> loaded_from(const std::string& text) {
+  const test::ScratchFolder folder;
+  const std::filesystem::path path = folder / "motion.csv";
   std::ofstream(path) << text;
-  return path;
+  return load_trajectory(path);
 }
 
 TEST(TrajectoryTest, PaperLineGoesFortyHundredTenInSixSecondsAndBack) {
@@ -102,8 +105,8 @@ TEST(TrajectoryTest, UnknownScenarioIsRefusedWithTheKnownOnes) {
 
 TEST(TrajectoryTest, FileIsInterpolatedInPlaceAndRotation) {
   // A quarter turn about z while going 10 mm along x: half way is an eighth of a turn.
-  const Result<Trajectory> loaded = load_trajectory(
-      file_with("t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n5,0,0,400,1,0,0,0\r\n7,10,0,400,0.70710678,0,0,0.70710678\n"));
+  const Result<Trajectory> loaded =
+      loaded_from("t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n5,0,0,400,1,0,0,0\r\n7,10,0,400,0.70710678,0,0,0.70710678\n");
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ(loaded->period, std::chrono::seconds{2});
   const Isometry3 half = target_pose_at(*loaded, std::chrono::seconds{1});
@@ -133,7 +136,7 @@ TEST(TrajectoryTest, BadTablesAreRefusedWithTheirLine) {
       {header + good + good, "increase"},
   };
   for (const auto& [text, expected] : cases) {
-    const Result<Trajectory> loaded = load_trajectory(file_with(text));
+    const Result<Trajectory> loaded = loaded_from(text);
     ASSERT_FALSE(loaded) << text;
     EXPECT_EQ(loaded.error().code, ErrorCode::kMalformed) << text;
     EXPECT_NE(loaded.error().message.find(expected), std::string::npos) << loaded.error().message;
