@@ -40,7 +40,7 @@ std::vector<double> sorted_times_s(std::span<const Vec3> leds_mm, const Axis& ax
 
 int run(int knocks, double hours) {
   std::vector<Figure> figures;
-  for (const CoveredTarget& target : covered_targets()) {
+  for (const CoveredTarget& target : covered_leds()) {
     if (target.leds_mm.size() < 3) continue;
     for (const Axis& axis : kAxes) {
       const std::vector<double> times_s = sorted_times_s(target.leds_mm, axis, knocks);
@@ -52,7 +52,7 @@ int run(int knocks, double hours) {
       }
     }
   }
-  const std::span<const Vec3> three = covered_targets()[1].leds_mm;
+  const std::span<const Vec3> three = covered_leds()[1].leds_mm;
   const unsigned workers = std::max(1U, std::thread::hardware_concurrency());
   std::vector<int> alarms(workers, 0);
   {

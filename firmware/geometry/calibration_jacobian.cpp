@@ -102,4 +102,10 @@ Eigen::Matrix<double, 3, 24> calibration_jacobian(const StereoCalibration& calib
   return -(information.inverse() * weighted) * pixels_by_parameters(calibration, *rig, point);
 }
 
+Eigen::Matrix<double, 4, 24> pixels_by_calibration(const StereoCalibration& calibration, const Vec3& point_in_rig_mm) {
+  const Result<Rig> rig = rig_of(calibration);
+  TRIPOINT_ASSERT(rig.has_value());
+  return pixels_by_parameters(calibration, *rig, point_in_rig_mm);
+}
+
 }  // namespace tripoint

@@ -51,4 +51,8 @@ Result<EpipolarError> epipolar_error(const Rig& rig, const PerSide<MeasuredPixel
 Eigen::Matrix<double, 3, 24> calibration_jacobian(const StereoCalibration& calibration,
                                                   const PerSide<MeasuredPixel>& seen);
 
+/// d(left u v, right u v; px) / d(calibration parameters) for a point that stays where it is in the rig. How and how
+/// exactly as for calibration_jacobian. The calibration must have a rig, and the point lie in front of both cameras.
+Eigen::Matrix<double, 4, 24> pixels_by_calibration(const StereoCalibration& calibration, const Vec3& point_in_rig_mm);
+
 }  // namespace tripoint

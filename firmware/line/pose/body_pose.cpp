@@ -24,7 +24,6 @@ struct Estimate {
   Isometry3 rig_from_target = Isometry3::Identity();
   Matrix6 noise = Matrix6::Zero();
   Gains gains;
-  double chi2 = 0.0;
 };
 
 double sigma_of(const TargetPoint& point) { return point.uncertainty_mm / 2.0; }
@@ -117,7 +116,7 @@ Result<Estimate> by_fit(std::span<const LocatedPoint> points, const LineModel& m
   const Result<RigidFit> fit = rigid_fit(model.rig, {body.begin(), body.size()}, start);
   if (!fit) return tl::make_unexpected(fit.error());
   const Gains gains = gains_of_fit(points, *fit);
-  return Estimate{fit->rig_from_body, fit->covariance + noise_of_shared_edges(points, gains), gains, fit->chi2};
+  return Estimate{fit->rig_from_body, fit->covariance + noise_of_shared_edges(points, gains), gains};
 }
 
 /// What all points share: to first order the sum over the points of what moves each.
@@ -183,7 +182,6 @@ Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineMo
 
   BodyPose pose;
   pose.rig_from_target = estimate->rig_from_target;
-  pose.chi2 = estimate->chi2;
   const Isometry3 output_from_target = model.output_from_rig * estimate->rig_from_target;
   const Matrix3 rotation = model.output_from_rig.linear();
   pose.in_output.position_in_output_mm = output_from_target.translation();

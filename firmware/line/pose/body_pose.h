@@ -21,6 +21,7 @@ struct LocatedPoint {
   PerSide<Matrix32> by_pixel{Matrix32::Zero(), Matrix32::Zero()};  ///< how the place follows the pixels
   Eigen::Matrix<double, 3, 24> place_by_calibration = Eigen::Matrix<double, 3, 24>::Zero();
   Eigen::Matrix<double, 3, 4> moved_by_clocks_mm = Eigen::Matrix<double, 3, 4>::Zero();  ///< see pose_of_body
+  PerSide<Matrix2> clocks_root_px{Matrix2::Zero(), Matrix2::Zero()};  ///< timing_root_px of each picture
   std::optional<std::size_t> next;  ///< of a tag's corner: which of the points is the next one, with the same edge
   PerSide<Matrix2> shared_with_next_px2{Matrix2::Zero(), Matrix2::Zero()};
   std::optional<Vec3> moved_by_skew_mm;  ///< if the skew were taken as none; absent while the speed is unknown
@@ -29,7 +30,6 @@ struct LocatedPoint {
 struct BodyPose {
   TargetPose in_output;
   Isometry3 rig_from_target = Isometry3::Identity();
-  double chi2 = 0.0;             ///< of the rigid fit; 0 by the paper's method
   double timing_sigma_mm = 0.0;  ///< of the position, all directions together
   std::optional<double> uncorrected_cost_mm;
 };

@@ -10,6 +10,7 @@
 #include "line/pose/body_pose.h"
 #include "line/pose/locate.h"
 #include "line/pose/tilt.h"
+#include "line/pose/whole_fit.h"
 
 namespace tripoint {
 namespace {
@@ -97,9 +98,20 @@ Result<Located> located_corners(const Aligned& seen, const Pairs& pairs, const L
   return corners;
 }
 
-bool same_turn(const BodyPose& one, const BodyPose& other) {
-  return Eigen::AngleAxisd(one.rig_from_target.linear().transpose() * other.rig_from_target.linear()).angle() <
-         kSameTurn_rad;
+double turn_between_rad(const Isometry3& one, const Isometry3& other) {
+  return Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle();
+}
+
+/// Nobody has seen a tag from behind.
+bool shows_fronts(const Isometry3& rig_from_target, const Pairs& pairs, const LineModel& model) {
+  return std::all_of(pairs.pairs.begin(), pairs.pairs.end(), [&](const Pair& pair) {
+    const auto& corners_mm = model.target.tags[place_of_tag(pair.id, model.target)].corners_mm;
+    const Vec3 front = rig_from_target.linear() * (corners_mm[1] - corners_mm[0]).cross(corners_mm[2] - corners_mm[1]);
+    return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+      const Vec3 lens_mm = model.rig.camera_from_rig[side].inverse().translation();
+      return front.dot(lens_mm - rig_from_target * corners_mm[0]) > 0.0;
+    });
+  });
 }
 
 struct Solved {
@@ -107,26 +119,50 @@ struct Solved {
   Faults faults;
 };
 
-Solved solved_by_corners(const Located& corners, const LineModel& model) {
-  const std::span<const LocatedPoint> points{corners.begin(), corners.size()};
+/// Of a flat target that may be tilted this way or the other.
+struct Tilts {
+  WholeFit best;
+  std::optional<WholeFit> rival;  ///< far less likely; nothing when there is but one tilt
+  Faults faults;                  ///< why none is believed
+};
+
+Tilts tilts_of(std::span<const LocatedPoint> corners, const LineModel& model) {
   FixedVector<Vec3, kMaxImagePoints> in_target_mm;
-  for (const LocatedPoint& point : points) in_target_mm.push_back(point.of.in_target_mm);
-  const Isometry3 start = pose_of_widest_triangle(points);
-  const Result<BodyPose> one = pose_of_body(points, model, start);
-  const Result<BodyPose> other =
-      pose_of_body(points, model, tilted_over(start, {in_target_mm.begin(), in_target_mm.size()}));
-  if (!one && !other) return {std::nullopt, {Fault::kGeometryGate}};
-  if (!one || !other) return {one ? *one : *other, {}};
-  if (!same_turn(*one, *other) && std::abs(one->chi2 - other->chi2) < kRunnerUp) {
-    return {std::nullopt, {Fault::kAmbiguous}};
-  }
-  return {one->chi2 <= other->chi2 ? *one : *other, {}};
+  for (const LocatedPoint& point : corners) in_target_mm.push_back(point.of.in_target_mm);
+  const Isometry3 start = pose_of_widest_triangle(corners);
+  const Result<WholeFit> one = whole_fit(corners, model, start);
+  const Result<WholeFit> other =
+      whole_fit(corners, model, tilted_over(start, {in_target_mm.begin(), in_target_mm.size()}));
+  if (!one && !other) return {{}, std::nullopt, {Fault::kGeometryGate}};
+  const bool first = !other || (one && one->chi2 <= other->chi2);
+  const WholeFit& best = first ? *one : *other;
+  if (best.chi2 > most_chi2(corners.size())) return {best, std::nullopt, {Fault::kGeometryGate}};
+  if (!one || !other) return {best, std::nullopt, {Fault::kAmbiguous}};
+  const WholeFit& rival = first ? *other : *one;
+  if (turn_between_rad(best.rig_from_target, rival.rig_from_target) < kSameTurn_rad) return {best, std::nullopt, {}};
+  if (rival.chi2 - best.chi2 < kRunnerUp) return {best, rival, {Fault::kAmbiguous}};
+  return {best, rival, {}};
 }
 
-Solved solved_by_centres(const Located& centres, const LineModel& model) {
-  if (centres.size() < 3) return {std::nullopt, {Fault::kNotSeenLeft, Fault::kNotSeenRight}};
-  const Result<BodyPose> pose = pose_of_body({centres.begin(), centres.size()}, model);
+/// The fit of `pose_of_body` starts at the likelier tilt, and must not have gone over to the other.
+Solved solved_by_corners(std::span<const LocatedPoint> corners, const LineModel& model) {
+  const Tilts tilts = tilts_of(corners, model);
+  if (!tilts.faults.empty()) return {std::nullopt, tilts.faults};
+  const Result<BodyPose> pose = pose_of_body(corners, model, tilts.best.rig_from_target);
   if (!pose) return {std::nullopt, {Fault::kGeometryGate}};
+  const auto away_rad = [&](const WholeFit& tilt) {
+    return turn_between_rad(pose->rig_from_target, tilt.rig_from_target);
+  };
+  if (tilts.rival && away_rad(*tilts.rival) < away_rad(tilts.best)) return {std::nullopt, {Fault::kAmbiguous}};
+  return {*pose, {}};
+}
+
+Solved solved_by_centres(std::span<const LocatedPoint> centres, const LineModel& model) {
+  if (centres.size() < 3) return {std::nullopt, {Fault::kNotSeenLeft, Fault::kNotSeenRight}};
+  const Result<BodyPose> pose = pose_of_body(centres, model);
+  if (!pose) return {std::nullopt, {Fault::kGeometryGate}};
+  const Result<WholeFit> whole = whole_fit(centres, model, pose->rig_from_target);
+  if (!whole || whole->chi2 > most_chi2(centres.size())) return {std::nullopt, {Fault::kGeometryGate}};
   return {*pose, {}};
 }
 
@@ -142,9 +178,14 @@ Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model
     fit.faults.insert(Fault::kGeometryGate);
     return fit;
   }
-  const Solved solved = by_centres ? solved_by_centres(*points, model) : solved_by_corners(*points, model);
+  const std::span<const LocatedPoint> all{points->begin(), points->size()};
+  const Solved solved = by_centres ? solved_by_centres(all, model) : solved_by_corners(all, model);
   fit.faults.insert(solved.faults);
   if (!solved.pose) return fit;
+  if (!shows_fronts(solved.pose->rig_from_target, pairs, model)) {
+    fit.faults.insert(Fault::kGeometryGate);
+    return fit;
+  }
   fit.pose = solved.pose->in_output;
   fit.timing_sigma_mm = std::max(fit.timing_sigma_mm, solved.pose->timing_sigma_mm);
   fit.uncorrected_cost_mm = solved.pose->uncorrected_cost_mm;

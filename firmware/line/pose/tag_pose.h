@@ -16,10 +16,14 @@ namespace tripoint {
 ///
 /// Flat corners that are tilted towards one side look almost like those tilted towards the other. Both are tried.
 ///
+/// Nothing but the whole fit tells that a tag sits elsewhere than the target says, or has another size: all corners
+/// together must be likelier than once in 1,000 (`whole_fit`).
+///
 /// @param pairs  by `match_tags`: four corners of each tag
 /// @return kGeometryGate       rays do not meet in front of both cameras, or the corners do not make the target: other
-///                             sizes or places of the tags than the target says
-///         kAmbiguous          the target may as well be tilted the other way: its chi-square is less than 10 worse
+///                             sizes or places of the tags than the target says, a bent plate, a tag from behind
+///         kAmbiguous          the target may as well be tilted the other way: its chi-square is less than 10 worse, or
+///                             cannot be told because the iteration does not get there
 ///         kNotSeenLeft/Right  fewer than three tags, by the paper's method
 Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model);
 

@@ -6,16 +6,16 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/seen_tags.h"
 #include "line/line.h"
 #include "synthetic_cameras.h"
-#include "tag_views.h"
 #include "verdicts.h"
 
 namespace tripoint {
 namespace {
 
-using testing::add_tag;
-using testing::add_tags;
+using bench::add_tag;
+using bench::add_tags;
 using testing::picture;
 using testing::verdicts;
 
@@ -52,7 +52,7 @@ std::vector<Measurement> seen(const LineModel& believed, const Shown& shown) {
   for (int view = 0; view < shown.views; ++view) {
     for (const Side side : kBothSides) {
       Observation one = picture(side, static_cast<std::uint32_t>(view), 1.0 + view / 30.0);
-      add_tags(one, shown.model[side], shown.pose, shown.sigma_px, random);
+      add_tags(one, shown.model[side], shown.pose, {.edge_px = shown.sigma_px}, random);
       events.emplace_back(one);
     }
   }
@@ -180,6 +180,62 @@ TEST(LineTagsTest, ATagThatHasMovedOnTheToolIsRefused) {
   LineModel bent = model;
   for (Vec3& corner_mm : bent.target.tags[2].corners_mm) corner_mm += Vec3(0.0, 1.5, 0.0);
   expect_only(seen(model, {.model = {bent, bent}}), {Fault::kGeometryGate});
+}
+
+/// The third tag of three as it was glued, against what the target says.
+void expect_refused_when_the_third_is_moved_by(const Isometry3& move_mm) {
+  const LineModel model = tag_model(3);
+  LineModel glued = model;
+  const Vec3 centre_mm = model.target.points[2].in_target_mm;
+  for (Vec3& corner_mm : glued.target.tags[2].corners_mm) corner_mm = centre_mm + move_mm * (corner_mm - centre_mm);
+  expect_only(seen(model, {.model = {glued, glued}}), {Fault::kGeometryGate});
+}
+
+// Each corner of these lies within 8 of its own deviations; all of them together are never so far off by chance.
+TEST(LineTagsTest, AllCornersTogetherShowASizeThatIsWrongByOneInAHundredAndFifty) {
+  const LineModel larger = tag_model(1, 30.2);
+  expect_only(seen(tag_model(1, 30.0), {.model = {larger, larger}}), {Fault::kGeometryGate});
+}
+
+TEST(LineTagsTest, AllCornersTogetherShowATagThatWasGluedAside) {
+  expect_refused_when_the_third_is_moved_by(Isometry3(Eigen::Translation3d(0.15, 0.15, 0.0)));
+}
+
+TEST(LineTagsTest, AllCornersTogetherShowATagThatWasGluedAskew) {
+  expect_refused_when_the_third_is_moved_by(Isometry3(Eigen::AngleAxisd(0.007, Vec3::UnitZ())));
+}
+
+TEST(LineTagsTest, AllCornersTogetherShowAPlateThatIsBent) {
+  expect_refused_when_the_third_is_moved_by(Isometry3(Eigen::AngleAxisd(0.012, Vec3::UnitX())));
+}
+
+TEST(LineTagsTest, ByThePapersMethodAFourthCentreThatDoesNotFitIsRefused) {
+  LineModel model = tag_model(3);
+  add_tag(model.target, 50, 30.0, {-50.0, 40.0, 0.0});
+  model.method = Method::kPaper;
+  LineModel glued = model;
+  for (Vec3& corner_mm : glued.target.tags[3].corners_mm) corner_mm += Vec3(0.2, 0.2, 0.0);
+  expect_only(seen(model, {.model = {glued, glued}}), {Fault::kGeometryGate});
+}
+
+// As a mirror shows it: the corners run the other way round, as those of a tag seen from behind.
+TEST(LineTagsTest, ATagSeenFromBehindIsRefused) {
+  const LineModel model = tag_model(1);
+  LineModel mirrored = model;
+  std::swap(mirrored.target.tags[0].corners_mm[0], mirrored.target.tags[0].corners_mm[1]);
+  std::swap(mirrored.target.tags[0].corners_mm[2], mirrored.target.tags[0].corners_mm[3]);
+  expect_only(seen(model, {.model = {mirrored, mirrored}}), {Fault::kGeometryGate});
+}
+
+// Mirrored about the middle of all corners, the far tag would lie behind the cameras: that tilt cannot be judged.
+TEST(LineTagsTest, ATiltThatCannotBeTestedIsAmbiguousAndNotBelieved) {
+  LineModel model = tag_model(3, 20.0);
+  for (TargetTag& tag : model.target.tags) {
+    for (Vec3& corner_mm : tag.corners_mm) corner_mm *= 0.5;
+  }
+  add_tag(model.target, 50, 60.0, {-40.0, 0.0, 900.0});
+  model.volume.reset();
+  expect_only(seen(model, {.model = {model, model}, .pose = tilted({0.0, 0.0, 260.0}, 0.0)}), {Fault::kAmbiguous});
 }
 
 // 8 mm at 590 mm are 8 px: with an edge known to 0.3 px, what tells the two tilts apart is lost in noise.

@@ -23,7 +23,7 @@ constexpr int kViews = 2000;
 class CoverageTest : public ::testing::TestWithParam<bench::CoveredTarget> {
  protected:
   [[nodiscard]] static CoverageScore scored(const ErrorSources& sources) {
-    const CoverageScore score = coverage_score(GetParam().leds_mm, sources, 1, kViews);
+    const CoverageScore score = coverage_score(GetParam(), sources, 1, kViews);
     std::cout << GetParam().name << ": " << score.inside_share << " of " << score.poses << " in the 95 % ellipsoid\n";
     return score;
   }
@@ -46,9 +46,14 @@ TEST_P(CoverageTest, OfACoarseCalibrationAndTarget) {
   expect_honest(scored({.spot_px = 0.02, .target_mm = 0.1, .calibration_px = 0.2}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, CoverageTest,
-                         ::testing::ValuesIn(bench::covered_targets().begin(), bench::covered_targets().end()),
-                         [](const auto& target) { return std::string(target.param.key); });
+std::string key_of(const ::testing::TestParamInfo<bench::CoveredTarget>& target) {
+  return std::string(target.param.key);
+}
+
+INSTANTIATE_TEST_SUITE_P(Leds, CoverageTest,
+                         ::testing::ValuesIn(bench::covered_leds().begin(), bench::covered_leds().end()), key_of);
+INSTANTIATE_TEST_SUITE_P(Tags, CoverageTest,
+                         ::testing::ValuesIn(bench::covered_tags().begin(), bench::covered_tags().end()), key_of);
 
 }  // namespace
 }  // namespace tripoint
