@@ -92,7 +92,7 @@ Result<Replay> prepared(const ReplayOptions& options) {
   if (options.config.empty() && target->kind == TargetKind::kAprilTag) {
     replay.config.detector.kind = ConfiguredDetector::kAprilTag;
   }
-  const Result<MeasuredTarget> measured = measured_target(*target, replay.config.detector);
+  const Result<MeasuredTarget> measured = measured_target(*target, replay.config);
   if (!measured)
     return failure(measured.error().code, options.target.empty()
                                               ? "--target: " + measured.error().message

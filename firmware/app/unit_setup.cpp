@@ -6,10 +6,12 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/camera_supply.h"
 #include "app/detection.h"
 #include "app/version.h"
+#include "config/target_shape.h"
 #include "document/sha256.h"
 
 namespace tripoint {
@@ -111,6 +113,19 @@ Result<void> check_size(const Config& config, const Calibration& calibration) {
   return {};
 }
 
+/// The paper's method needs three centres that say how the target is turned.
+Result<void> check_centres(const TargetFile& file) {
+  std::vector<Vec3> centres_mm;
+  for (const TargetFileTag& tag : file.tags) centres_mm.push_back(tag.position_mm);
+  if (!nearly_on_a_line(centres_mm)) return {};
+  return failure(
+      ErrorCode::kMismatch,
+      fmt::format("output.method is \"paper\", but the centres of the tags {}: set it to "
+                  "\"maximum_likelihood\", or place three tags in a triangle that is at least {:.0f} % as wide "
+                  "as long",
+                  centres_mm.size() < 3 ? "are fewer than three" : "lie nearly on a line", 100.0 * kLeastWidthShare));
+}
+
 }  // namespace
 
 Result<void> check_detector(const Config& config) {
@@ -121,9 +136,9 @@ Result<void> check_detector(const Config& config) {
                                        "\"led\" or \"apriltag\""}));
 }
 
-Result<MeasuredTarget> measured_target(const TargetFile& file, const DetectorConfig& detector) {
+Result<MeasuredTarget> measured_target(const TargetFile& file, const Config& config) {
   const bool tags = file.kind == TargetKind::kAprilTag;
-  if (tags != (detector.kind == ConfiguredDetector::kAprilTag)) {
+  if (tags != (config.detector.kind == ConfiguredDetector::kAprilTag)) {
     return failure(
         ErrorCode::kMismatch,
         tags ? "the target is made of AprilTags, but detector.kind is \"led\": set it to \"apriltag\", or name "
@@ -131,8 +146,11 @@ Result<MeasuredTarget> measured_target(const TargetFile& file, const DetectorCon
              : "the target is made of LEDs, but detector.kind is \"apriltag\": set it to \"led\", or name a "
                "target of tags");
   }
+  if (tags && config.output.method == ConfiguredMethod::kPaper) {
+    if (const Result<void> usable = check_centres(file); !usable) return tl::make_unexpected(usable.error());
+  }
   MeasuredTarget target{tags ? target_of_tags(file) : target_of_leds(file), file.family};
-  return detection_of(detector, target).map([&](const DetectPoints& /*works*/) { return target; });
+  return detection_of(config.detector, target).map([&](const DetectPoints& /*works*/) { return target; });
 }
 
 Result<LineModel> line_model(const Calibration& calibration, const Target& target, const Config& config) {
@@ -155,7 +173,7 @@ Result<UnitSetup> unit_setup(const Config& config) {
   const Result<TargetFile> file =
       config.target_file.empty() ? Result<TargetFile>(single_led()) : load_target(config.target_file);
   const Result<MeasuredTarget> target =
-      file.and_then([&](const TargetFile& loaded) { return measured_target(loaded, config.detector); });
+      file.and_then([&](const TargetFile& loaded) { return measured_target(loaded, config); });
   if (!target) return tl::make_unexpected(named_by(config, "target.file", target.error()));
 
   UnitSetup setup;

@@ -36,9 +36,10 @@ Result<UnitSetup> unit_setup(const Config& config);
 /// @return kMismatch for spheres: they are found in single pictures only
 Result<void> check_detector(const Config& config);
 
-/// @return kMismatch when the target is not made of what the detector finds; of an unknown family or tag as
-/// detection_of
-Result<MeasuredTarget> measured_target(const TargetFile& file, const DetectorConfig& detector);
+/// @return kMismatch when the target is not made of what the detector finds, or its tags make no triangle for the
+/// paper's
+///         method; of an unknown family or tag as detection_of
+Result<MeasuredTarget> measured_target(const TargetFile& file, const Config& config);
 
 /// The model of the line for a calibration and a target, with the limits and the volume of a configuration.
 ///

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "config/tag_places.h"
 #include "config/target_shape.h"
 #include "document/file.h"
 #include "document/table_reader.h"
@@ -64,12 +65,23 @@ std::vector<TargetFilePoint> points_from(TableReader& root) {
   return points;
 }
 
-/// The nearest that two tags come is on faces of a cube, 0.7 of their size.
-bool apart(const std::vector<TargetFileTag>& tags, const TargetFileTag& added) {
-  return std::all_of(tags.begin(), tags.end(), [&](const TargetFileTag& tag) {
-    const double distance_mm = (tag.position_mm - added.position_mm).norm();
-    return distance_mm >= 0.5 * std::max(tag.size_mm, added.size_mm) && distance_mm < kFarthest_mm;
-  });
+/// Beside other tags.
+void check_place(TableReader& table, const std::vector<TargetFileTag>& tags, const TargetFileTag& added) {
+  for (const TargetFileTag& tag : tags) {
+    if (overlap(tag, added)) {
+      table.refuse(
+          "position_mm",
+          fmt::format("permitted is no overlap with another tag, but tag {} and tag {} do: measure their places, "
+                      "and size_mm without the light rim",
+                      tag.id, added.id));
+    } else if (farthest_mm(tag, added) >= kFarthest_mm) {
+      table.refuse("position_mm",
+                   fmt::format("permitted is less than {} mm from the corners of other tags", kFarthest_mm));
+    } else {
+      continue;
+    }
+    return;
+  }
 }
 
 std::vector<TargetFileTag> tags_from(TableReader& root) {
@@ -77,16 +89,15 @@ std::vector<TargetFileTag> tags_from(TableReader& root) {
   for (TableReader& table : root.tables("tags")) {
     TargetFileTag tag;
     tag.id = static_cast<int>(table.integer("id", {0, 65'535}));
-    tag.size_mm = table.number("size_mm", {1.0, 10'000.0});
+    tag.size_mm = table.number("size_mm", {1.0, kFarthest_mm});
     tag.position_mm = table.vec3("position_mm", kPlaceMm);
     tag.rotation_rad = table.vec3("rotation_rad", kRotationRad);
     tag.uncertainty_mm = table.number("uncertainty_mm", {0.0, 10.0}, tag.uncertainty_mm);
     if (!new_id(tags, tag.id)) table.refuse("id", "permitted is each id once");
-    if (!apart(tags, tag)) {
-      table.refuse("position_mm", fmt::format("permitted is half the size of the larger tag or more, and less than {} "
-                                              "mm, from other tags",
-                                              kFarthest_mm));
+    if (farthest_mm(tag, tag) >= kFarthest_mm) {
+      table.refuse("size_mm", fmt::format("permitted is less than {} mm from corner to corner", kFarthest_mm));
     }
+    check_place(table, tags, tag);
     table.finish();
     tags.push_back(tag);
   }

@@ -48,7 +48,7 @@ TargetFile single_led();
 ///
 /// @return kMalformed, kUnknownKey, kMissingKey or kOutOfRange naming file, line, key and what is permitted; ids are
 ///         unique, points lie apart but not far, a single one at the origin, three or more as `shape_fault` asks; tags
-///         do not overlap
+///         do not overlap, and are less than a metre from corner to corner
 Result<TargetFile> parse_target(std::string_view text, std::string_view file_name);
 
 /// @return kCannotRead, or as parse_target

@@ -170,6 +170,8 @@ std::string name_of_symmetry(Points points, const std::vector<std::size_t>& lies
 
 }  // namespace
 
+bool nearly_on_a_line(std::span<const Vec3> points_mm) { return points_mm.size() < 3 || is_line(points_mm); }
+
 std::optional<std::string> shape_fault(std::span<const Vec3> points_mm, const std::optional<Vec3>& facing) {
   if (points_mm.size() < 3) return std::nullopt;
   std::string fault;

@@ -25,4 +25,8 @@ inline constexpr double kLeastWidthShare = 0.1;
 /// @return what is wrong with the shape and a move of one point that mends it; nothing when it serves
 std::optional<std::string> shape_fault(std::span<const Vec3> points_mm, const std::optional<Vec3>& facing);
 
+/// Whether places are too near to a line for a pose: narrower than kLeastWidthShare of their length, or fewer than
+/// three.
+bool nearly_on_a_line(std::span<const Vec3> points_mm);
+
 }  // namespace tripoint

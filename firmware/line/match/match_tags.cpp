@@ -54,20 +54,24 @@ std::optional<TagPoints> straightened(const SeenPoints& points, const Corners& c
   return tag;
 }
 
-/// Nothing when a corner is no pair.
-std::optional<std::array<Pair, kTagCorners>> pairs_of(const Aligned& seen, const PerSide<Corners>& corners, int tag_id,
-                                                      const LineModel& model) {
+struct TagPairs {
+  std::array<Pair, kTagCorners> pairs;
+  Faults faults;  ///< why they are none
+};
+
+TagPairs pairs_of(const Aligned& seen, const PerSide<Corners>& corners, int tag_id, const LineModel& model) {
+  TagPairs tag;
   const auto left = straightened(seen.points.left, corners.left, model.rig.cameras.left);
   const auto right = straightened(seen.points.right, corners.right, model.rig.cameras.right);
-  if (!left || !right) return std::nullopt;
-  std::array<Pair, kTagCorners> pairs;
+  if (!left || !right) return {{}, {Fault::kGeometryGate}};
   for (std::size_t k = 0; k < kTagCorners; ++k) {
     const std::optional<EpipolarGate> gate =
         epipolar_gate(model, {whole_uncertainty((*left)[k]), whole_uncertainty((*right)[k])});
-    if (!gate || !gate->passed) return std::nullopt;
-    pairs[k] = {tag_id, {(*left)[k], (*right)[k]}, gate->distance_px, gate->sigma_px};
+    if (!gate) return {{}, {Fault::kGeometryGate}};
+    if (!gate->passed) return {{}, {Fault::kEpipolarGate}};
+    tag.pairs[k] = {tag_id, {(*left)[k], (*right)[k]}, gate->distance_px, gate->sigma_px};
   }
-  return pairs;
+  return tag;
 }
 
 /// What one picture shows the other one lacks.
@@ -88,12 +92,10 @@ Pairs match_tags(const Aligned& seen, const LineModel& model) {
     if (found.left.twice || found.right.twice) matched.faults.insert(Fault::kAmbiguous);
     for (const Side side : kBothSides) any[side] = any[side] || found[side].corners.has_value();
     if (!found.left.corners || !found.right.corners) continue;
-    const auto pairs = pairs_of(seen, {*found.left.corners, *found.right.corners}, tag.id, model);
-    if (!pairs) {
-      matched.faults.insert(Fault::kEpipolarGate);
-      continue;
-    }
-    for (const Pair& pair : *pairs) matched.pairs.push_back(pair);
+    const TagPairs one = pairs_of(seen, {*found.left.corners, *found.right.corners}, tag.id, model);
+    matched.faults.insert(one.faults);
+    if (!one.faults.empty()) continue;
+    for (const Pair& pair : one.pairs) matched.pairs.push_back(pair);
   }
   if (!matched.pairs.empty() || !matched.faults.empty()) return matched;
   matched.faults = faults_of_nothing_shared(any);

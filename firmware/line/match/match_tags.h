@@ -12,7 +12,8 @@ namespace tripoint {
 /// left out.
 ///
 /// @return kNotSeenLeft/Right  a tag of the target in the other picture, but none in both;  kEpipolarGate  a corner's
-///         rays do not meet: another tag of the same id, or one in a mirror;  kAmbiguous  a tag that is there twice
+///         rays do not meet: another tag of the same id, or one in a mirror;  kAmbiguous  a tag that is there twice;
+///         kGeometryGate  a corner where the lens model has no viewing ray
 Pairs match_tags(const Aligned& seen, const LineModel& model);
 
 }  // namespace tripoint

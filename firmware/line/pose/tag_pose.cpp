@@ -7,6 +7,7 @@
 #include <span>
 
 #include "geometry/diagonals.h"
+#include "geometry/rigid_fit.h"
 #include "line/pose/body_pose.h"
 #include "line/pose/locate.h"
 #include "line/pose/tilt.h"
@@ -16,6 +17,7 @@ namespace tripoint {
 namespace {
 
 constexpr double kRunnerUp = 10.0;      // chi-square, as between LEDs that are alike
+constexpr double kLeastWidth = 0.1;     // of a triangle's length, as target files are asked for
 constexpr double kSameTurn_rad = 1e-4;  // both starts came to one pose: far below any noise, far above the fit's end
 
 using Located = FixedVector<LocatedPoint, kMaxImagePoints>;
@@ -157,8 +159,23 @@ Solved solved_by_corners(std::span<const LocatedPoint> corners, const LineModel&
   return {*pose, {}};
 }
 
+/// Three of them say how the target is turned.
+bool make_a_triangle(std::span<const LocatedPoint> centres) {
+  if (centres.size() < 3) return false;
+  FixedVector<Vec3, kMaxImagePoints> places_mm;
+  double longest_mm = 0.0;
+  for (const LocatedPoint& centre : centres) {
+    for (const Vec3& place_mm : places_mm)
+      longest_mm = std::max(longest_mm, (place_mm - centre.of.in_target_mm).norm());
+    places_mm.push_back(centre.of.in_target_mm);
+  }
+  const auto [a, b, c] = widest_triangle({places_mm.begin(), places_mm.size()});
+  const double twice_area_mm2 = (places_mm[b] - places_mm[a]).cross(places_mm[c] - places_mm[a]).norm();
+  return twice_area_mm2 >= kLeastWidth * longest_mm * longest_mm;
+}
+
 Solved solved_by_centres(std::span<const LocatedPoint> centres, const LineModel& model) {
-  if (centres.size() < 3) return {std::nullopt, {Fault::kNotSeenLeft, Fault::kNotSeenRight}};
+  if (!make_a_triangle(centres)) return {std::nullopt, {Fault::kNotSeenLeft, Fault::kNotSeenRight}};
   const Result<BodyPose> pose = pose_of_body(centres, model);
   if (!pose) return {std::nullopt, {Fault::kGeometryGate}};
   const Result<WholeFit> whole = whole_fit(centres, model, pose->rig_from_target);

@@ -24,7 +24,7 @@ namespace tripoint {
 ///                             sizes or places of the tags than the target says, a bent plate, a tag from behind
 ///         kAmbiguous          the target may as well be tilted the other way: its chi-square is less than 10 worse, or
 ///                             cannot be told because the iteration does not get there
-///         kNotSeenLeft/Right  fewer than three tags, by the paper's method
+///         kNotSeenLeft/Right  by the paper's method fewer than three tags, or all of them nearly on a line
 Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model);
 
 }  // namespace tripoint

@@ -26,6 +26,10 @@ class TagTarget {
                           << "\"\n[[tags]]\nid = " << id
                           << "\nsize_mm = 40\nposition_mm = [0, 0, 0]\nrotation_rad = [0, 0, 0]\n";
   }
+  void add(int id, const std::string& position_mm) {
+    std::ofstream(path(), std::ios::app) << "[[tags]]\nid = " << id << "\nsize_mm = 40\nposition_mm = " << position_mm
+                                         << "\nrotation_rad = [0, 0, 0]\n";
+  }
   [[nodiscard]] std::string path() const { return (folder_ / "tag.toml").string(); }
 
  private:
@@ -99,6 +103,28 @@ TEST(UnitSetupTest, ATargetOfTagsNeedsTheirDetectorAndTheOtherWayRound) {
     EXPECT_NE(refused.error().message.find("target.file"), std::string::npos) << refused.error().message;
     EXPECT_NE(refused.error().message.find("detector.kind"), std::string::npos) << refused.error().message;
   }
+}
+
+// The longest side is 110 mm: 11 mm of width are a tenth.
+TEST(UnitSetupTest, ThePapersMethodNeedsCentresThatMakeATriangle) {
+  const auto message = [](const TagTarget& target, const std::string& method) {
+    const Result<UnitSetup> setup =
+        demo_setup({"target.file=" + target.path(), "detector.kind=apriltag", "output.method=" + method});
+    return setup ? std::string{} : setup.error().message;
+  };
+  TagTarget target;
+  target.add(2, "[110, 0, 0]");
+  EXPECT_NE(message(target, "paper").find("target.file: output.method"), std::string::npos) << message(target, "paper");
+  EXPECT_NE(message(target, "paper").find("fewer than three"), std::string::npos);
+  EXPECT_EQ(message(target, "maximum_likelihood"), "");
+  TagTarget wide;
+  wide.add(2, "[110, 0, 0]");
+  target.add(3, "[55, 10.9, 0]");
+  wide.add(3, "[55, 11.1, 0]");
+  EXPECT_NE(message(target, "paper").find("nearly on a line: set it to \"maximum_likelihood\""), std::string::npos)
+      << message(target, "paper");
+  EXPECT_EQ(message(target, "maximum_likelihood"), "");
+  EXPECT_EQ(message(wide, "paper"), "");
 }
 
 TEST(UnitSetupTest, ATagThatItsFamilyDoesNotHaveIsNamedWithThoseItHas) {

@@ -109,15 +109,52 @@ TEST(TargetFileTest, TagsAreRead) {
   EXPECT_EQ(t.tags[0].rotation_rad, Vec3::UnitZ());
 }
 
-std::string tag(int id, const std::string& position, const std::string& more = "") {
-  return "[[tags]]\nid = " + std::to_string(id) + "\nsize_mm = 40\nposition_mm = " + position +
-         "\nrotation_rad = [0, 0, 0]\n" + more;
+std::string tag(int id, const std::string& position, const std::string& more = "",
+                const std::string& rotation = "[0, 0, 0]", double size_mm = 40.0) {
+  return "[[tags]]\nid = " + std::to_string(id) + "\nsize_mm = " + std::to_string(size_mm) +
+         "\nposition_mm = " + position + "\nrotation_rad = " + rotation + "\n" + more;
 }
 
-TEST(TargetFileTest, TagsOnFacesOfACubeAreApartAndNearerOnesOverlap) {
-  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 20]") + tag(1, "[20, 0, 0]")), "");
-  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[19, 0, 0]")), HasSubstr("half the size"));
-  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[1000, 0, 0]")), HasSubstr("less than 1000 mm"));
+// Quarter turns about x and y: the faces of a cube of 50 mm whose edge faces the cameras.
+TEST(TargetFileTest, TagsOnFacesOfACubeAreApart) {
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, -25]") + tag(1, "[25, 0, 0]", "", "[0, -1.5707963, 0]") +
+                       tag(2, "[0, 25, 0]", "", "[1.5707963, 0, 0]")),
+            "");
+}
+
+TEST(TargetFileTest, TagsThatOverlapAreRefusedWithLineAndBothIds) {
+  // beside each other, touching, is apart; an eighth of a turn needs 0.71 of a size more room
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[40, 0, 0]")), "");
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[39.9, 0, 0]")), HasSubstr("tag 0 and tag 1 do"));
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[39.9, 0, 0]")), HasSubstr(":12: "));
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[48, 0, 0]", "", "[0, 0, 0.785398]")),
+              HasSubstr("overlap"));
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[48.5, 0, 0]", "", "[0, 0, 0.785398]")), "");
+}
+
+TEST(TargetFileTest, ATagBeforeAnotherOverlapsAndBackToBackDoesNot) {
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[10, 0, 5]")), HasSubstr("overlap"));
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[10, 0, 1]", "", "[3.1415926, 0, 0]")), "");
+}
+
+TEST(TargetFileTest, TagsThatCutThroughEachOtherOverlap) {
+  EXPECT_THAT(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[10, 0, 0]", "", "[0, 1.5707963, 0]")),
+              HasSubstr("overlap"));
+  EXPECT_EQ(message_of(kTags + tag(0, "[0, 0, 0]") + tag(1, "[21, 0, 0]", "", "[0, 1.5707963, 0]")), "");
+}
+
+// 706 mm are 998 mm along the diagonal; with 500 mm between their centres, tags of 40 mm reach 541.5 mm.
+TEST(TargetFileTest, NoTwoCornersOfTagsAreAMetreApart) {
+  const std::string none = "[0, 0, 0]";
+  EXPECT_EQ(message_of(kTags + tag(0, none, "", none, 706.0)), "");
+  EXPECT_THAT(message_of(kTags + tag(0, none, "", none, 708.0)), HasSubstr("size_mm"));
+  EXPECT_THAT(message_of(kTags + tag(0, none, "", none, 708.0)), HasSubstr("less than 1000 mm from corner to corner"));
+  EXPECT_THAT(message_of(kTags + tag(0, none, "", none, 9'000.0)), HasSubstr("size_mm"));
+  EXPECT_EQ(message_of(kTags + tag(0, none) + tag(1, "[959, 0, 0]")), "");
+  EXPECT_THAT(message_of(kTags + tag(0, none) + tag(1, "[960, 0, 0]")), HasSubstr("less than 1000 mm"));
+}
+
+TEST(TargetFileTest, EachTagIsThereOnce) {
   EXPECT_THAT(message_of(kTags + tag(4, "[0, 0, 0]") + tag(4, "[50, 0, 0]")), HasSubstr("each id once"));
 }
 

@@ -170,6 +170,33 @@ TEST(LineTagsTest, AnotherTagOfTheSameIdInOnePictureFailsTheEpipolarGate) {
   expect_only(seen(model, {.model = {model, higher}}), {Fault::kEpipolarGate});
 }
 
+// k1 = -0.5 turns the picture back on itself at 0.54 focal lengths from its middle; the corner of the picture is at
+// 0.64.
+TEST(LineTagsTest, ACornerOutsideOfTheLensModelIsAGeometryFault) {
+  LineModel model = tag_model(1);
+  LineModel lens = model;
+  lens.calibration.cameras.left.distortion = {-0.5, 0.0, 0.0, 0.0, 0.0};
+  lens.rig = *rig_of(lens.calibration);
+  std::mt19937_64 random(3);
+  std::vector<Event> events;
+  for (std::uint32_t view = 0; view < 5; ++view) {
+    for (const Side side : kBothSides) {
+      Observation one = picture(side, view, 1.0 + view / 30.0);
+      add_tags(one, model, kPose, {}, random);
+      if (side == Side::kLeft) one.points[0].at = {0.0, 0.0};
+      events.emplace_back(one);
+    }
+  }
+  expect_only(verdicts(lens, events), {Fault::kGeometryGate});
+}
+
+TEST(LineTagsTest, ByThePapersMethodThreeCentresNearlyOnALineAreNoPose) {
+  LineModel model = tag_model(0);
+  for (int i = 0; i < 3; ++i) add_tag(model.target, i, 20.0, {40.0 * (i - 1), i == 1 ? 5.0 : 0.0, 0.0});
+  model.method = Method::kPaper;
+  expect_only(seen(model), {Fault::kNotSeenLeft, Fault::kNotSeenRight});
+}
+
 TEST(LineTagsTest, ATagOfAnotherSizeThanTheTargetSaysIsRefused) {
   const LineModel larger = tag_model(1, 31.0);
   expect_only(seen(tag_model(1, 30.0), {.model = {larger, larger}}), {Fault::kGeometryGate});
