@@ -34,7 +34,7 @@ ordered_json as_json(const SeenTag& tag) {
           {"u_px", centre.at.u_px},
           {"v_px", centre.at.v_px},
           {"covariance_px2", {{c(0, 0), c(0, 1)}, {c(1, 0), c(1, 1)}}},
-          {"peak", tag.outline.light},
+          {"peak", tag.outline.lightest},
           {"saturated", clips(tag.outline)},
           {"corners_px", corners_as_json(tag)},
           {"rough", why_rough(tag.outline)},

@@ -108,7 +108,7 @@ RawPixel pixel_at(const Vec2& place_px) { return {place_px.x(), place_px.y()}; }
 }  // namespace
 
 TagOutline rough_outline(const DecodedTag& tag, TagCause cause) {
-  return {cause, tag.corners_px, kRough_px * kRough_px * CornerCovariance::Identity(), 0.0, 0.0};
+  return {cause, tag.corners_px, kRough_px * kRough_px * CornerCovariance::Identity(), 0.0, 0.0, 0.0};
 }
 
 TagOutline tag_outline(const LumaCopy& luma, const DecodedTag& tag, const TagShape& shape) {
@@ -132,6 +132,7 @@ TagOutline tag_outline(const LumaCopy& luma, const DecodedTag& tag, const TagSha
     outline.corners_px[k] = pixel_at(meetings[k].at_px);
     outline.light += edges[k].light / kTagCorners;
     outline.dark += edges[k].dark / kTagCorners;
+    outline.lightest = std::max(outline.lightest, edges[k].light);
   }
   outline.covariance_px2 = covariance_of(edges, meetings);
   return outline;

@@ -17,8 +17,9 @@ struct TagOutline {
   std::array<RawPixel, kTagCorners> corners_px;  ///< in the order of the decoder
   /// Over u and v of corner 0, of corner 1 and so on. Neighbours share an edge, and so its error.
   CornerCovariance covariance_px2 = CornerCovariance::Identity();
-  double light = 0.0;  ///< mean luma on the light side of the edges; 0 of a rough one
-  double dark = 0.0;   ///< on the dark side; likewise
+  double light = 0.0;     ///< mean luma on the light side of the edges; 0 of a rough one
+  double dark = 0.0;      ///< on the dark side; likewise
+  double lightest = 0.0;  ///< mean luma on the light side of the edge where it is highest; likewise
 };
 
 /// The library's own corners err by up to a pixel, and in each of its versions in another way: they are only where

@@ -21,7 +21,7 @@ ImagePoint point_of(const SeenTag& tag, std::size_t corner) {
   point.label = PointLabel{tag.decoded.id, static_cast<int>(corner)};
   point.shared_with_next_px2 = covariance_of(tag.outline, corner, (corner + 1) % kTagCorners);
   point.amplitude = tag.outline.light - tag.outline.dark;
-  point.peak = tag.outline.light;
+  point.peak = tag.outline.lightest;
   point.saturated = clips(tag.outline);
   return point;
 }
@@ -34,7 +34,7 @@ bool is_alone(const SeenTag& tag, const SeenTags& seen) {
 
 }  // namespace
 
-bool clips(const TagOutline& outline) { return outline.light >= kClipped; }
+bool clips(const TagOutline& outline) { return outline.lightest >= kClipped; }
 
 TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids) {
   TagPoints found;
@@ -50,7 +50,7 @@ TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids) {
     }
     if (measured) {
       const double light = tag.outline.light;
-      found.health.peak_luma = std::max(found.health.peak_luma, light);
+      found.health.peak_luma = std::max(found.health.peak_luma, tag.outline.lightest);
       found.health.dimmest_luma = found.health.dimmest_luma == 0.0 ? light : std::min(found.health.dimmest_luma, light);
     }
     for (std::size_t corner = 0; corner < kTagCorners; ++corner) found.points.push_back(point_of(tag, corner));

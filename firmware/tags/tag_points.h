@@ -18,7 +18,7 @@ struct TagPoints {
 /// refuses that.
 TagPoints points_of(const SeenTags& seen, std::span<const int> wanted_ids);
 
-/// Whether the light side of a tag's edges clips: they then seem to lie too far in the dark.
+/// Whether the light side of any of a tag's edges clips: it then seems to lie too far in the dark.
 bool clips(const TagOutline& outline);
 
 }  // namespace tripoint

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "drawn_tag.h"
 #include "line/line.h"
@@ -105,6 +107,33 @@ TEST(TagLineTest, APrintThatCannotBeMeasuredStillStandsBesideTheOtherOfItsId) {
   EXPECT_EQ(points_of(seen, ids).points.size(), 0U);
   seen.tags.push_back(measured);
   EXPECT_EQ(points_of(seen, ids).points.size(), 2 * kTagCorners);
+}
+
+// One edge that clips moves two corners, however dim the other three are.
+TEST(TagLineTest, ATagWithOneEdgeThatClipsIsSaturated) {
+  test::Sheet sheet({640, 480});
+  const Matrix3 upright = test::seen_by_camera(Matrix3::Identity(), {0.0, 0.0, 400.0}, 50.0);
+  sheet.draw(test::tag36h11(test::kCodes36h11[1]), upright);
+  const Picture clean = sheet.grey();
+  const int right_px = static_cast<int>(test::corners_of(upright)[1].x());
+  std::vector<std::uint8_t> lit(clean.luma.data, clean.luma.data + 640 * 480);
+  for (int y = 0; y < 480; ++y) {
+    for (int x = right_px - 4; x < 640; ++x) {
+      std::uint8_t& luma = lit[static_cast<std::size_t>(640 * y + x)];
+      luma = static_cast<std::uint8_t>(std::min(255.0, 1.4 * luma));
+    }
+  }
+  Picture glaring = clean;
+  glaring.luma.data = lit.data();
+  TagDetector detector = *TagDetector::open({});
+  const std::array<int, 1> ids{1};
+  const TagPoints dim = points_of(detector.detect(clean), ids);
+  ASSERT_EQ(dim.points.size(), kTagCorners);
+  EXPECT_FALSE(dim.points[0].saturated);
+  const TagPoints bright = points_of(detector.detect(glaring), ids);
+  ASSERT_EQ(bright.points.size(), kTagCorners);
+  for (const ImagePoint& corner : bright.points) EXPECT_TRUE(corner.saturated);
+  EXPECT_EQ(bright.health.peak_luma, 255.0);
 }
 
 TEST(TagLineTest, ATagThatIsNotWantedIsNoPoint) {
