@@ -71,6 +71,7 @@ std::optional<Vec3> mirrored_mm(const Outline& mirror, const Vec3& place_mm, con
 FrameRenderer::FrameRenderer(const SimulatedWorld& world, Side side)
     : world_(world),
       side_(side),
+      tags_(world, side),
       light_(world.rig().cameras[side].size, world.background(side)),
       raw_(world.rig().cameras[side].size),
       developer_(raw_.size(), range_of(world.settings().format), world.settings().tone),
@@ -90,7 +91,8 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
                   .exposed = TimePoint{exposed_since_1970},
                   .stamp = TimePoint{exposed_since_1970},
                   .reference_from_target = target_pose_at(world_.settings().trajectory, exposed_since_1970),
-                  .lights = {}};
+                  .lights = {},
+                  .tags = tags_.paint(light_, exposed_since_1970)};
   for (const LightSource& light : world_.settings().scene.lights) {
     frame_.truth.lights.push_back(add_light(light, exposed_since_1970));
   }

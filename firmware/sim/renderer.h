@@ -10,6 +10,7 @@
 #include "sim/developing.h"
 #include "sim/sensor.h"
 #include "sim/spot.h"
+#include "sim/tag_painter.h"
 #include "sim/world.h"
 
 namespace tripoint {
@@ -34,6 +35,7 @@ struct FrameTruth {
   TimePoint stamp{};               ///< what the camera says instead; offline the truth
   Isometry3 reference_from_target = Isometry3::Identity();  ///< at the exposure of row 0
   std::vector<LightTruth> lights;                           ///< in the scene's order
+  std::vector<TagTruth> tags;                               ///< likewise
 };
 
 struct RenderedFrame {
@@ -82,6 +84,7 @@ class FrameRenderer {
 
   const SimulatedWorld& world_;
   Side side_;
+  TagPainter tags_;
   LightPlane light_;
   RawPlane raw_;
   Developer developer_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/chessboard.h"
+#include "sim/printed_tag.h"
 #include "values/linear.h"
 #include "values/side.h"
 #include "values/time.h"
@@ -85,6 +86,7 @@ struct Scene {
   std::vector<Surface> surfaces{Surface{}};  ///< painted in this order where they are equally far; the far ones first
   double white_level = 0.05;                 ///< of a white surface, in units of clip
   std::optional<Chessboard> board = std::nullopt;  ///< before all surfaces; lights are not hidden by it
+  std::vector<PrintedTag> tags = {};               ///< of the target, before surfaces and board; they hide no light
 };
 
 /// LEDs with ids 1, 2, ... and lines 0, 1, ... at these places of the target, before a textured grey wall.

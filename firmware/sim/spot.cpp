@@ -76,6 +76,13 @@ void LightPlane::add_to_row(int y, const GaussianSpot& spot, const Axes& axes, c
   }
 }
 
+std::span<float> LightPlane::painted_row(int y) {
+  first_touched_ = std::min(first_touched_, y);
+  last_touched_ = std::max(last_touched_, y);
+  const auto width = static_cast<std::size_t>(size_.width_px);
+  return std::span(levels_).subspan(static_cast<std::size_t>(y) * width, width);
+}
+
 void LightPlane::clear() {
   if (last_touched_ < first_touched_) return;
   const std::ptrdiff_t begin = static_cast<std::ptrdiff_t>(first_touched_) * size_.width_px;

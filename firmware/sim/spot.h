@@ -23,7 +23,7 @@ struct GaussianSpot {
   Vec2 shift_px_per_row{0.0, 0.0};    ///< how far the spot moves from the time of a row to that of the next
 };
 
-/// Mean light level of each pixel under the mosaic: a fixed background, and spots that come and go.
+/// Mean light level of each pixel under the mosaic: a fixed background, and what comes and goes before it.
 class LightPlane {
  public:
   /// @param background  mean levels in units of clip, row by row
@@ -32,7 +32,10 @@ class LightPlane {
   /// Adds what of a spot the masks let pass, out to five standard deviations.
   void add(const GaussianSpot& spot, const NormalIntegral& normal, std::span<const Mask> masks = {});
 
-  /// Takes all spots out again.
+  /// A row to draw in what hides the background; to be done before spots are added.
+  std::span<float> painted_row(int y);
+
+  /// Takes everything out again but the background.
   void clear();
 
   [[nodiscard]] std::span<const float> row(int y) const;

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "sim/tag_cover.h"
+
 namespace tripoint {
 namespace {
 
@@ -30,6 +32,30 @@ std::string wrong_timing(const SimulationSettings& settings) {
   return {};
 }
 
+/// What is wrong with the sensor, or "".
+std::string wrong_sensor(const SensorModel& sensor) {
+  if (!(sensor.read_noise >= 0.0 && sensor.read_noise <= 1.0)) return "read_noise: must be 0 to 1";
+  if (!(sensor.full_well_electrons >= 1.0)) return "full_well_electrons: must be at least 1";
+  if (!(sensor.optical_sigma_px >= 0.3)) return "optical_sigma_px: must be at least 0.3";
+  if (!(sensor.hot_pixel_share >= 0.0 && sensor.hot_pixel_share <= 1.0)) {
+    return "hot_pixel_share: must be 0 to 1";
+  }
+  return {};
+}
+
+/// What is wrong with a printed tag, or "".
+std::string wrong_tag(const PrintedTag& tag) {
+  const TagCells& cells = tag.cells;
+  if (!(tag.size_mm > 0.0)) return "tags: their size must be above 0";
+  if (cells.across < 1 || cells.total < cells.across || cells.total > kMostTagCells) {
+    return "tags: their cells must be 1 to " + std::to_string(kMostTagCells) + " across";
+  }
+  if (cells.light.size() != static_cast<std::size_t>(cells.total * cells.total)) {
+    return "tags: their cells must fill a square";
+  }
+  return {};
+}
+
 /// The name of the first setting that no camera has, or "".
 std::string wrong_setting(const SimulationSettings& settings) {
   if (std::string timing = wrong_timing(settings); !timing.empty()) return timing;
@@ -37,13 +63,11 @@ std::string wrong_setting(const SimulationSettings& settings) {
     return "cameras.gain: simulated cameras permit 0 to 255";
   }
   if (settings.mjpeg_quality < 1 || settings.mjpeg_quality > 100) return "mjpeg_quality: must be 1 to 100";
-  if (!(settings.sensor.read_noise >= 0.0 && settings.sensor.read_noise <= 1.0)) return "read_noise: must be 0 to 1";
-  if (!(settings.sensor.full_well_electrons >= 1.0)) return "full_well_electrons: must be at least 1";
-  if (!(settings.sensor.optical_sigma_px >= 0.3)) return "optical_sigma_px: must be at least 0.3";
-  if (!(settings.sensor.hot_pixel_share >= 0.0 && settings.sensor.hot_pixel_share <= 1.0)) {
-    return "hot_pixel_share: must be 0 to 1";
-  }
+  if (std::string sensor = wrong_sensor(settings.sensor); !sensor.empty()) return sensor;
   if (!(settings.tone.gamma >= 0.1 && settings.tone.gamma <= 10.0)) return "tone: its gamma must be 0.1 to 10";
+  for (const PrintedTag& tag : settings.scene.tags) {
+    if (std::string wrong = wrong_tag(tag); !wrong.empty()) return wrong;
+  }
   if (settings.trajectory.period <= Duration::zero()) return "trajectory: its period must be above 0";
   return {};
 }

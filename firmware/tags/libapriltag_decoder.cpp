@@ -1,41 +1,14 @@
 #include <apriltag/apriltag.h>
-#include <apriltag/tag16h5.h>
-#include <apriltag/tag25h9.h>
-#include <apriltag/tag36h10.h>
-#include <apriltag/tag36h11.h>
-#include <apriltag/tagCircle21h7.h>
-#include <apriltag/tagCircle49h12.h>
-#include <apriltag/tagCustom48h12.h>
-#include <apriltag/tagStandard41h12.h>
-#include <apriltag/tagStandard52h13.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
+#include "tags/libapriltag_families.h"
 #include "tags/tag_decoder.h"
 
 namespace tripoint {
 namespace {
-
-struct NamedFamily {
-  std::string_view name;
-  apriltag_family_t* (*create)();
-  void (*destroy)(apriltag_family_t*);
-};
-
-constexpr std::array<NamedFamily, 9> kFamilies{{
-    {"tag36h11", tag36h11_create, tag36h11_destroy},
-    {"tag16h5", tag16h5_create, tag16h5_destroy},
-    {"tag25h9", tag25h9_create, tag25h9_destroy},
-    {"tag36h10", tag36h10_create, tag36h10_destroy},
-    {"tagCircle21h7", tagCircle21h7_create, tagCircle21h7_destroy},
-    {"tagCircle49h12", tagCircle49h12_create, tagCircle49h12_destroy},
-    {"tagCustom48h12", tagCustom48h12_create, tagCustom48h12_destroy},
-    {"tagStandard41h12", tagStandard41h12_create, tagStandard41h12_destroy},
-    {"tagStandard52h13", tagStandard52h13_create, tagStandard52h13_destroy},
-}};
 
 constexpr double kMostTable_bytes = 16.0 * 1024 * 1024;
 constexpr double kTableEntry_bytes = 3 * 16;    // the library keeps its table a third full, 16 bytes an entry
@@ -50,12 +23,6 @@ int bits_to_correct(const apriltag_family_t& family) {
   const bool small = words * kTableEntry_bytes <= kMostTable_bytes;
   const bool rare = 4.0 * words / std::exp2(family.nbits) <= kMostByChance;  // a square is read in four directions
   return small && rare ? 1 : 0;
-}
-
-std::string names_of_families() {
-  std::string names;
-  for (const NamedFamily& family : kFamilies) names += (names.empty() ? "" : " ") + std::string(family.name);
-  return names;
 }
 
 DecodedTag decoded(const apriltag_detection_t& found) {
@@ -86,13 +53,8 @@ void TagLibraryEnd::operator()(TagLibrary* library) const {
 TagDecoder::TagDecoder(std::unique_ptr<TagLibrary, TagLibraryEnd> library) : library_(std::move(library)) {}
 
 Result<TagDecoder> TagDecoder::open(std::string_view family) {
-  const auto* const named =
-      std::find_if(kFamilies.begin(), kFamilies.end(), [&](const NamedFamily& known) { return known.name == family; });
-  if (named == kFamilies.end()) {
-    return failure(
-        ErrorCode::kOutOfRange,
-        "\"" + std::string(family) + "\" is no family of AprilTags: permitted is one of " + names_of_families());
-  }
+  const Result<NamedFamily> named = family_named(family);
+  if (!named) return tl::make_unexpected(named.error());
   std::unique_ptr<TagLibrary, TagLibraryEnd> library(
       new TagLibrary{named->create(), named->destroy, apriltag_detector_create()});
   library->detector->nthreads = 1;

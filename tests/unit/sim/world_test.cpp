@@ -33,6 +33,10 @@ TEST(WorldTest, SettingsThatNoCameraHasAreRefusedByName) {
       {"optical_sigma", [](auto& s) { s.sensor.optical_sigma_px = 0.0; }},
       {"hot_pixel_share", [](auto& s) { s.sensor.hot_pixel_share = 1.5; }},
       {"gamma", [](auto& s) { s.tone.gamma = 0.0; }},
+      {"tags", [](auto& s) { s.scene.tags.emplace_back().cells.light.assign(99, true); }},
+      {"tags",
+       [](auto& s) { s.scene.tags = {{.cells = {.across = 17, .total = 17, .light = std::vector(289, true)}}}; }},
+      {"tags", [](auto& s) { s.scene.tags = {{.cells = {.light = std::vector(100, true)}, .size_mm = 0.0}}; }},
       {"trajectory", [](auto& s) { s.trajectory.period = Duration{0}; }},
   };
   for (const WrongSetting& wrong : cases) {
