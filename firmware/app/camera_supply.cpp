@@ -70,14 +70,7 @@ std::vector<Vec3> led_places_mm(const Target& target) {
 void add_red_lamps(Scene& scene, int count) {
   const std::array<Vec3, 4> places_mm{Vec3(100.0, -40.0, 420.0), Vec3(-120.0, 20.0, 400.0), Vec3(60.0, 120.0, 390.0),
                                       Vec3(-20.0, -130.0, 440.0)};
-  for (int i = 0; i < count; ++i) {
-    LightSource lamp = scene.lights.front();
-    lamp.id = 0;
-    lamp.mount = Mount::kReference;
-    lamp.place_mm = places_mm[static_cast<std::size_t>(i)];
-    lamp.switched_by.reset();
-    scene.lights.push_back(lamp);
-  }
+  for (int i = 0; i < count; ++i) scene.lights.push_back(fixed_lamp(scene, places_mm[static_cast<std::size_t>(i)]));
 }
 
 Result<SimulationSettings> simulation_settings(const Config& config, const Target& target) {
@@ -104,6 +97,7 @@ Result<SimulationSettings> simulation_settings(const Config& config, const Targe
   settings.seed = wanted.seed;
   settings.scene = led_scene(led_places_mm(target), wanted.led_peak);
   add_red_lamps(settings.scene, wanted.red_lamps);
+  if (config.datum) settings.scene.lights.push_back(fixed_lamp(settings.scene, config.datum->position_mm));
   settings.scene.white_level = wanted.white_level;
   expose(settings, config.cameras);
   return settings;

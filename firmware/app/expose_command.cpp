@@ -175,11 +175,13 @@ class Exposing {
   int step_ = 0;  ///< times that someone was asked to hold the target
 };
 
-Result<std::size_t> leds_of_target(const Config& config) {
-  if (config.target_file.empty()) return std::size_t{1};
+/// The target's, and the datum.
+Result<std::size_t> leds_in_sight(const Config& config) {
+  const std::size_t beside = config.datum ? 1 : 0;
+  if (config.target_file.empty()) return 1 + beside;
   return load_target(config.target_file)
       .map_error([&](const Error& error) { return named_by(config, "target.file", error); })
-      .map([](const TargetFile& target) { return target.points.size(); });
+      .map([beside](const TargetFile& target) { return target.points.size() + beside; });
 }
 
 }  // namespace
@@ -204,7 +206,7 @@ int expose_command(const ExposeOptions& options) {
         named_by(*config, "detector.kind",
                  {ErrorCode::kMismatch, "the exposure for measuring is found by LEDs: to expose set \"led\""}));
   }
-  const Result<std::size_t> leds = leds_of_target(*config);
+  const Result<std::size_t> leds = leds_in_sight(*config);
   if (!leds) return report(leds.error());
   const SystemClock clock;
   return expose_for_measuring(options, *config, *leds, [&clock](const Config& wanted, double z_mm) {

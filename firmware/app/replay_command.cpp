@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/datum_check.h"
 #include "app/detection.h"
 #include "app/exit_code.h"
 #include "app/unit_setup.h"
@@ -103,6 +104,9 @@ Result<Replay> prepared(const ReplayOptions& options) {
   Result<LineModel> model = line_model(*calibration, measured->target, replay.config);
   if (!model) return tl::make_unexpected(model.error());
   replay.model = std::move(*model);
+  if (const Result<void> datum = check_datum(replay.config, &replay.model); !datum) {
+    return tl::make_unexpected(datum.error());
+  }
   if (options.config.empty()) replay.model.volume.reset();
   const Isometry3 wanted_from_rig =
       options.frame == "left_camera" ? replay.model.rig.camera_from_rig.left : Isometry3::Identity();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/camera_supply.h"
+#include "app/datum_check.h"
 #include "app/detection.h"
 #include "app/version.h"
 #include "config/target_shape.h"
@@ -162,6 +163,9 @@ Result<LineModel> line_model(const Calibration& calibration, const Target& targe
     model.target = target;
     model.limits = limits_of(config);
     model.volume = WorkingVolume{config.volume.min_mm, config.volume.max_mm};
+    if (const std::optional<DatumConfig>& datum = config.datum) {
+      model.datum = Datum{datum->position_mm, datum->uncertainty_mm, datum->radius_mm};
+    }
     model.method = config.output.method == ConfiguredMethod::kPaper ? Method::kPaper : Method::kMaximumLikelihood;
     if (config.output.frame == ConfiguredFrame::kLeftCamera) model.output_from_rig = rig.camera_from_rig.left;
     return model;
@@ -187,6 +191,9 @@ Result<UnitSetup> unit_setup(const Config& config) {
     if (!model) return tl::make_unexpected(named_by(config, "calibration.file", model.error()));
     setup.model = std::make_shared<const LineModel>(std::move(*model));
     setup.calibration = std::move(*calibration);
+  }
+  if (const Result<void> datum = check_datum(config, setup.model.get()); !datum) {
+    return tl::make_unexpected(datum.error());
   }
   setup.constants = constants_of(config, setup.calibration, *file);
   setup.constants.identity.mode = mode_of(setup.target.target);

@@ -28,7 +28,7 @@ struct UnitSetup {
 /// Loads the files that the configuration names and checks that they belong together.
 ///
 /// @return the error of the file that is missing or wrong; kMismatch when the target or the configuration needs another
-/// detector
+/// detector; as check_datum
 Result<UnitSetup> unit_setup(const Config& config);
 
 /// Whether the line can measure with the detector that is configured.

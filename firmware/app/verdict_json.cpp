@@ -70,6 +70,7 @@ std::string verdict_json(const Measurement& measurement, OutputFrame frame) {
       {"sequence", measurement.sequence},
       {"valid", pose.has_value()},
       {"orientation_valid", oriented},
+      {"mount_watched", measurement.mount_watched},
       {"faults", names(measurement.faults)},
       {"position_mm", pose ? as_json(pose->position_in_output_mm) : ordered_json(nullptr)},
       {"quaternion_wxyz", pose ? quaternion(*pose) : ordered_json(nullptr)},

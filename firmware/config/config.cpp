@@ -45,6 +45,7 @@ Config config_from(TableReader& root, const std::filesystem::path& folder) {
   config.timing = timing_from(root.table("timing"));
   config.output = output_from(root.table("output"));
   config.modulation = modulation_from(root.table("modulation"), config);
+  config.datum = datum_from(root, config);
   config.modbus = modbus_from(root.table("modbus"));
   config.simulation = simulation_from(root.table("simulation"), folder);
   if (config.simulation.led_lines != SimulatedLines::kWorking && !config.modulation.enabled) {

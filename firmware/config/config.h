@@ -78,6 +78,13 @@ struct VolumeConfig {
   Vec3 max_mm = Vec3::Zero();
 };
 
+/// A fixed LED that watches the mount, in the reference frame whatever output.frame says.
+struct DatumConfig {
+  Vec3 position_mm = Vec3::Zero();
+  double uncertainty_mm = 0.0;  ///< k = 2, along each axis
+  double radius_mm = 0.0;       ///< a light so near is taken for it
+};
+
 struct TimingConfig {
   double offset_prior_ms = 10.0;
   double bound_mm = 1.0;
@@ -128,6 +135,7 @@ struct Config {
   DetectorConfig detector;
   std::filesystem::path target_file;  ///< empty: one LED at the origin
   VolumeConfig volume;
+  std::optional<DatumConfig> datum;
   TimingConfig timing;
   OutputConfig output;
   ModulationConfig modulation;
@@ -154,6 +162,7 @@ Error named_by(const Config& config, std::string_view key, const Error& error);
 /// (register 146) the tables are kSetupTables; the source is cameras.source. [cameras.calibrating] is left out: nothing
 /// is measured with it.
 std::string canonical_text(const Config& config, std::span<const std::string_view> tables);
-inline constexpr std::array<std::string_view, 5> kSetupTables{"cameras", "detector", "timing", "output", "modulation"};
+inline constexpr std::array<std::string_view, 6> kSetupTables{"cameras", "detector",   "timing",
+                                                              "output",  "modulation", "datum"};
 
 }  // namespace tripoint

@@ -26,6 +26,30 @@ VolumeConfig volume_from(TableReader table) {
   return volume;
 }
 
+std::optional<DatumConfig> datum_from(TableReader& root, const Config& config) {
+  const bool given = root.has("datum");
+  TableReader table = root.table("datum");
+  if (!given) return std::nullopt;
+  DatumConfig datum;
+  datum.position_mm = table.vec3("position_mm", {-100'000.0, 100'000.0});
+  datum.uncertainty_mm = table.number("uncertainty_mm", {0.001, 100.0});
+  datum.radius_mm = table.number("radius_mm", {0.1, 1000.0});
+  if (datum.radius_mm <= datum.uncertainty_mm) {
+    table.refuse("radius_mm", "permitted is more than uncertainty_mm: the datum itself must lie within it");
+  }
+  if (config.detector.kind != ConfiguredDetector::kLed) {
+    table.refuse("position_mm",
+                 "a datum is an LED, which detector.kind does not find: permitted is [datum] with \"led\"");
+  }
+  if (config.modulation.enabled) {
+    table.refuse("position_mm",
+                 "a datum is lit all the time, and modulation leaves such lights out: permitted is [datum] with "
+                 "modulation.enabled = false");
+  }
+  table.finish();
+  return datum;
+}
+
 TimingConfig timing_from(TableReader table) {
   TimingConfig t;
   t.offset_prior_ms = table.number("offset_prior_ms", {0.001, 1000.0}, t.offset_prior_ms);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "config/config.h"
 #include "document/table_reader.h"
@@ -15,6 +16,8 @@ TimingConfig timing_from(TableReader table);
 OutputConfig output_from(TableReader table);
 /// With the tables that it has to fit to: cameras and detector.
 ModulationConfig modulation_from(TableReader table, const Config& config);
+/// Absent unless the table is there; with the tables that it has to fit to: detector and modulation.
+std::optional<DatumConfig> datum_from(TableReader& root, const Config& config);
 ModbusConfig modbus_from(TableReader table);
 SimulationConfig simulation_from(TableReader table, const std::filesystem::path& folder);
 RecordingConfig recording_from(TableReader table, const std::filesystem::path& folder, CameraSource source);

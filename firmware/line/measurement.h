@@ -119,6 +119,7 @@ struct Measurement {
   double epipolar_rms_px = 0.0;
   std::optional<double> side_length_error_mm;  ///< mean over the target's sides: measured less nominal
   std::optional<double> decalibration_mm;      ///< by which a turned camera misplaces the target, as far as it shows
+  bool mount_watched = false;                  ///< the datum is seen where it belongs
   PerSide<ImageHealth> health;
   PerSide<std::uint16_t> spots{0, 0};
 };

@@ -47,6 +47,13 @@ struct WorkingVolume {
   Vec3 max_mm = Vec3::Zero();
 };
 
+/// A fixed LED by which the mount is watched: no part of the target, and outside the volume by its radius or more.
+struct Datum {
+  Vec3 in_rig_mm = Vec3::Zero();
+  double uncertainty_mm = 0.0;  ///< k = 2, along each axis
+  double radius_mm = 0.0;       ///< a light so near is taken for it
+};
+
 struct Limits {
   double epipolar_sigmas = 4.5;          ///< gate of a left-right pair
   double weak_chi2 = 10.83;              ///< residual above which warning 2 is set: chi2(1) at 0.1 %
@@ -66,6 +73,7 @@ struct LineModel {
   Isometry3 output_from_rig = Isometry3::Identity();
   Target target;
   std::optional<WorkingVolume> volume;
+  std::optional<Datum> datum;
   Limits limits;
   Method method = Method::kMaximumLikelihood;
 };

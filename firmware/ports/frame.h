@@ -44,7 +44,7 @@ struct RowBand {
   friend bool operator==(const RowBand&, const RowBand&) = default;
 };
 
-inline constexpr std::size_t kMaxBands = 12;  ///< one for each point of a target
+inline constexpr std::size_t kMaxBands = 13;  ///< one for each point of a target and for a datum
 using RowBands = FixedVector<RowBand, kMaxBands>;
 
 /// A decoded picture: full-size luma, chroma at half width and, when `chroma_rows_halved`, half height.

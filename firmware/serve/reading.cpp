@@ -17,8 +17,7 @@ std::uint16_t unit_bits(const UnitFlags& flags) {
   return static_cast<std::uint16_t>(
       mask(StatusBit::kReady, flags.ready) | mask(StatusBit::kCalibrated, flags.calibrated) |
       mask(StatusBit::kRegistered, flags.registered) | mask(StatusBit::kClockSynchronised, flags.clock_synchronised) |
-      mask(StatusBit::kSimulated, flags.simulated) | mask(StatusBit::kVerified, flags.verified) |
-      mask(StatusBit::kMountWatched, flags.mount_watched));
+      mask(StatusBit::kSimulated, flags.simulated) | mask(StatusBit::kVerified, flags.verified));
 }
 
 bool identified(const Measurement& measurement) {
@@ -41,6 +40,12 @@ Reading told_by(const PublishedMeasurement& published) {
 /// Age in ms; a time of exposure ahead of the clock is age 0.
 double age_of(const Measurement& measurement, TimePoint now) {
   return 1e3 * seconds(std::max(Duration{0}, now - measurement.exposed));
+}
+
+/// Whether the unit goes on, and its newest verdict is no older than a pose may be. That does not ask for a target.
+bool goes_on(const UnitState& state, TimePoint now) {
+  const Duration age = now - state.newest->measurement.exposed;
+  return state.state != registers::State::kStopped && age <= state.limits.age_limit && age >= -kMostAhead;
 }
 
 /// The status bits that speak of the pose. `fresh`: within its age or hold limit.
@@ -91,15 +96,15 @@ Reading live_reading(const UnitState& state, const Latch& latch, TimePoint now) 
   Reading reading = told_by(*state.newest);
   if (!state.exposure_since_start) reading.time_ns = 0;  // the time is that of a camera's loss
   if (state.pose_since_start) reading.age_ms = age_of(measurement, now);
-  const Duration age = now - measurement.exposed;
-  const bool stopped = state.state == registers::State::kStopped;
-  const bool fresh = !stopped && reading.age_ms && age <= state.limits.age_limit && age >= -kMostAhead;
+  const bool current = goes_on(state, now);
+  const bool fresh = current && reading.age_ms;
   reading.faults = faults.bits();
   reading.warnings = warnings.bits();
   reading.setup = state.identity.setup;
   reading.heartbeat = state.heartbeat;
   reading.pose = pose_if(fresh && faults.empty(), measurement);
   reading.status = static_cast<std::uint16_t>(unit_bits(state.flags) | pose_bits(reading, measurement, fresh) |
+                                              mask(StatusBit::kMountWatched, current && measurement.mount_watched) |
                                               mask(StatusBit::kLatched, valid_copy(state, latch, now) != nullptr));
   return reading;
 }
@@ -123,6 +128,7 @@ Reading latched_reading(const UnitState& state, const Latch& latch, TimePoint no
   reading.heartbeat = copy.heartbeat;
   reading.pose = pose_if(valid, measurement);
   reading.status = static_cast<std::uint16_t>(unit_bits(copy.flags) | pose_bits(reading, measurement, held) |
+                                              mask(StatusBit::kMountWatched, held && measurement.mount_watched) |
                                               mask(StatusBit::kLatched, valid));
   return reading;
 }

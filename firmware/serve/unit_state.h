@@ -37,7 +37,6 @@ struct UnitFlags {
   bool clock_synchronised = false;
   bool simulated = true;  ///< simulation or recording; must be cleared on purpose
   bool verified = false;  ///< the calibration, by a length
-  bool mount_watched = false;
 };
 
 /// The newest verdict of the line with what belongs to this very moment.

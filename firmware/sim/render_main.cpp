@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +31,7 @@ struct Options {
   std::optional<double> led_peak;
   double white_level = 0.05;
   bool red_lamps = false;
+  std::vector<double> datum_mm;  // none, or x, y, z
   std::string tone = "linear";
   int exposure_us = 5000;
   int quality = 90;
@@ -56,6 +58,9 @@ Result<SimulationSettings> open_scene(const Options& options) {
   settings.trajectory = *trajectory;
   if (options.trajectory.empty() && options.scenario == "bumped-camera") settings.knock = bumped_camera();
   settings.scene = led_scene(led_places(options.leds.value_or(1)), options.led_peak.value_or(1.5));
+  if (const std::vector<double>& at = options.datum_mm; !at.empty()) {
+    settings.scene.lights.push_back(fixed_lamp(settings.scene, {at[0], at[1], at[2]}));
+  }
   settings.scene.white_level = options.white_level;
   settings.rig = default_rig(size_of(options));
   settings.seed = options.seed;
@@ -120,6 +125,9 @@ int run(int argc, char** argv) {
       ->default_str("1.5");
   app.add_option("--white-level", options.white_level, "of a white surface in units of clip; up to 0.06 is recommended")
       ->check(CLI::Range(0.001, 10.0));
+  app.add_option("--datum", options.datum_mm, "X Y Z of a fixed LED in the reference frame, mm; not with clutter")
+      ->expected(3)
+      ->default_str("");
   app.add_flag("--red-lamps", options.red_lamps, "clutter: with one or two lamps like the LEDs");
   app.add_option("--tone", options.tone, "linear, or webcam: a colour matrix and gamma 2.2")
       ->check(CLI::IsMember({"linear", "webcam"}));

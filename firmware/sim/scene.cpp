@@ -30,4 +30,13 @@ Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak) {
   return scene;
 }
 
+LightSource fixed_lamp(const Scene& scene, const Vec3& place_in_reference_mm) {
+  LightSource lamp = scene.lights.front();
+  lamp.id = 0;
+  lamp.mount = Mount::kReference;
+  lamp.place_mm = place_in_reference_mm;
+  lamp.switched_by.reset();
+  return lamp;
+}
+
 }  // namespace tripoint

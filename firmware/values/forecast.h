@@ -26,7 +26,8 @@ struct ForecastPoint {
 struct Forecast {
   std::uint64_t number = 0;  ///< 0: no forecast yet
   TimePoint at{};
-  /// Every point of the target, or none at all: whoever looks only there must know where each of them is.
+  /// Every point of the target and the datum if it shines, or none at all: whoever looks only there must know where
+  /// each of them is.
   FixedVector<ForecastPoint, kMaxImagePoints> points;
 };
 

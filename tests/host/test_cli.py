@@ -54,6 +54,14 @@ def test_status_names_unit_state_and_remedies(unit: FakeUnit, capsys: Capture) -
     assert "refused clients: check the limits and the allow-list in [modbus]" in out
 
 
+@pytest.mark.parametrize(("status", "words"), [(0x0447, "no datum is"), (0x4447, "a datum is")])
+def test_status_says_whether_a_datum_watches_the_mount(status: int, words: str, capsys: Capture) -> None:
+    with fake_unit(lambda: measuring_image(status=status)) as real:
+        out, _ = output_of(capsys, "status", "--device", real.device)
+    [mount] = [line for line in out.splitlines() if line.startswith("mount")]
+    assert mount.endswith(f"{words} seen where it belongs")
+
+
 def test_status_speaks_json(unit: FakeUnit, capsys: Capture) -> None:
     record = json_of(capsys, "status", "--device", unit.device)
     assert record["pose"]["position_mm"] == [-12.345, 6.789, 400.001]

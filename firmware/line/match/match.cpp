@@ -7,16 +7,14 @@
 #include <optional>
 
 #include "geometry/triangulation.h"
+#include "line/match/datum.h"
 #include "line/match/epipolar.h"
 #include "line/match/identify.h"
+#include "line/match/likeness.h"
 #include "line/match/match_tags.h"
 
 namespace tripoint {
 namespace {
-
-// Room for two cameras that are focused and exposed a little differently and see a LED from two sides.
-constexpr double kMostSizeRatio = 2.0;
-constexpr double kMostBrightnessRatio = 4.0;
 
 struct DepthRange {
   double min_mm = 0.0;
@@ -45,16 +43,6 @@ MeasuredPixel whole_uncertainty(const AlignedPoint& point) {
 
 PerSide<MeasuredPixel> whole_uncertainty(const AlignedPoint& left, const AlignedPoint& right) {
   return {whole_uncertainty(left), whole_uncertainty(right)};
-}
-
-bool within_ratio(double a, double b, double most) { return a <= most * b && b <= most * a; }
-
-/// One light is about as large and as bright in both pictures. Corners of tags have neither size nor brightness; far
-/// above clip a spot's size is that of its glare, and a weak spot's brightness is on another scale.
-bool alike(const ImagePoint& left, const ImagePoint& right) {
-  if (left.saturated || right.saturated) return true;
-  const bool sizes = within_ratio(left.sigma_px, right.sigma_px, kMostSizeRatio);
-  return sizes && (left.weak != right.weak || within_ratio(left.amplitude, right.amplitude, kMostBrightnessRatio));
 }
 
 /// Two that blink as different LEDs are no pair, wherever they are.
@@ -211,11 +199,9 @@ bool not_seen(const Aligned& seen, Side side) {
   return seen.points[side].empty() && (seen.spots[side] == 0 || seen.faults.empty());
 }
 
-}  // namespace
-
-Pairs match(const Aligned& seen, const LineModel& model) {
+/// Of what is not the datum.
+Pairs match_target(const Aligned& seen, const LineModel& model) {
   Pairs none;
-  if (!seen.common_time) return none;
   if (not_seen(seen, Side::kLeft)) none.faults.insert(Fault::kNotSeenLeft);
   if (not_seen(seen, Side::kRight)) none.faults.insert(Fault::kNotSeenRight);
   const std::size_t left = seen.points.left.size();
@@ -228,6 +214,18 @@ Pairs match(const Aligned& seen, const LineModel& model) {
   if (points == 1) return alone(by_blinking(unique_pairs(found, seen)), model.target);
   if (points < 3) return unidentified(by_blinking(unique_pairs(found, seen)));
   return identified(found, seen, model);
+}
+
+}  // namespace
+
+Pairs match(const Aligned& seen, const LineModel& model) {
+  if (!seen.common_time) return {};
+  if (!model.datum || !model.calibrated || !model.calibration_fits) return match_target(seen, model);
+  const Sifted sifted = without_datum(seen, model);
+  Pairs found = match_target(sifted.others, model);
+  found.datum = sifted.datum;
+  if (sifted.ambiguous) found.faults.insert(Fault::kAmbiguous);
+  return found;
 }
 
 }  // namespace tripoint

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "line/align/align.h"
 #include "line/measurement.h"
@@ -24,6 +25,7 @@ struct Pair {
 struct Pairs {
   FixedVector<Pair, kMaxImagePoints> pairs;  ///< of LEDs at most kMaxMatchedSpots
   Faults faults;
+  std::optional<Pair> datum = std::nullopt;  ///< never one of `pairs`
 };
 
 /// Pairs within the epipolar gate and the depth range of the working volume. LEDs that are known by their blinking pair
@@ -33,7 +35,8 @@ struct Pairs {
 /// @return kNotSeenLeft/Right  no spot there;  kEpipolarGate  spots on both sides, none belong together
 ///         kOutsideVolume      a pair, but not at a depth of the volume
 ///         kGeometryGate       a pair whose rays do not meet in front of both cameras, or no order that is the target
-///         kAmbiguous          a spot with two partners, more spots than can be matched, no identity that is unique
+///         kAmbiguous          a spot with two partners, more spots than can be matched, no identity that is unique,
+///                             more than one pair that could be the datum
 /// Of a target of tags as `match_tags` says.
 Pairs match(const Aligned& seen, const LineModel& model);
 

@@ -7,16 +7,14 @@
 namespace tripoint {
 namespace {
 
-constexpr int kMemory = 30;                           // views: a second
-constexpr int kLeastViews = 4;                        // before anything is judged
-constexpr Duration kShown = std::chrono::seconds(2);  // after the newest view: what is found is no longer news
+constexpr int kMemory = 30;     // views: a second
+constexpr int kLeastViews = 4;  // before anything is judged
 // Spots err alike from view to view: the noise of so many views is taken for that of one.
 constexpr double kAlike = 2.0;
 // Chi-square with three degrees of freedom: above once in 700,000 units, and in 6,000.
 constexpr double kAlarm = 30.0;
 constexpr double kExcluded = 20.0;
-constexpr double kUsualTurn_rad = 1.7e-3;   // a tenth of a degree: how far a target is still recognised after a knock
-constexpr double kUnstatedTurn_rad = 1e-4;  // standard deviation, of a calibration that does not state its own
+constexpr double kUsualTurn_rad = 1.7e-3;  // a tenth of a degree: how far a target is still recognised after a knock
 
 bool is_whole(const Pairs& pairs, const LineModel& model) {
   return pairs.faults.empty() && pairs.pairs.size() == model.target.points.size();
@@ -33,8 +31,9 @@ void Decalibration::watch(const LineModel& model) {
 
 void Decalibration::learn(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
   if (!seen.common_time || !seen.faults.empty()) return;
-  if (!model.calibrated || !model.calibration_fits || model.target.points.size() < 3) return;
-  if (!model.target.tags.empty()) return;
+  if (!model.calibrated || !model.calibration_fits) return;
+  if (model.datum && pairs.datum) datum_.learn(*pairs.datum, seen.at, model);
+  if (model.target.points.size() < 3 || !model.target.tags.empty()) return;
   const auto too_soon = [&](TimePoint last) { return seen.at >= last && seen.at < last + kLeastApart; };
   if (too_soon(found_.newest)) return;
   if (is_whole(pairs, model)) {
@@ -72,13 +71,9 @@ Matrix3 Decalibration::spread_without_turn(const LineModel& model) const {
   const Matrix3 information = sums.middleCols<3>(kTurnColumn);
   // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz their sum spreads no more than this.
   Matrix3 spread = kAlike * information + found_.clock_sigmas * found_.clock_spreads;
-  if (model.covariance.isZero(0.0)) {
-    spread += kUnstatedTurn_rad * kUnstatedTurn_rad * information * information;
-  } else {
-    const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
-    const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(model.covariance);
-    spread += calibration.lazyProduct(by_calibration.transpose());
-  }
+  const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
+  const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(covariance_or_usual(model));
+  spread += calibration.lazyProduct(by_calibration.transpose());
   for (std::size_t i = 0; i < model.target.points.size(); ++i) {
     const Matrix3 by_point = sums.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(i));
     const double sigma_mm = model.target.points[i].uncertainty_mm / 2.0;
@@ -109,11 +104,15 @@ void Decalibration::judge(const LineModel& model, const Matrix3& place_by_turn_m
 }
 
 Measurement Decalibration::judged(Measurement measurement) const {
-  if (found_.views >= kLeastViews && measurement.exposed <= found_.newest + kShown) {
+  if (found_.views >= kLeastViews && measurement.exposed <= found_.newest + kFindingShown) {
     measurement.side_length_error_mm = found_.side_error_mm;
     measurement.decalibration_mm = found_.moved_mm;
   }
-  if (found_.alarm) {
+  if (const std::optional<double> datum_mm = datum_.moved_mm(measurement.exposed)) {
+    measurement.decalibration_mm = std::max(measurement.decalibration_mm.value_or(0.0), *datum_mm);
+    measurement.mount_watched = measurement.common_time && !datum_.alarm();
+  }
+  if (found_.alarm || datum_.alarm()) {
     measurement.faults.insert(Fault::kDecalibration);
     measurement.pose.reset();
     for (MeasuredPoint& point : measurement.points) point.id = 0;

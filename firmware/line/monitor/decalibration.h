@@ -8,6 +8,7 @@
 #include "line/match/match.h"
 #include "line/measurement.h"
 #include "line/model.h"
+#include "line/monitor/datum_watch.h"
 #include "line/monitor/turn_evidence.h"
 #include "values/linear.h"
 #include "values/time.h"
@@ -19,7 +20,7 @@ namespace tripoint {
 /// together, over about the last second in which the whole target was seen. It is an alarm when noise, calibration and
 /// target, each as uncertain as stated, hardly ever explain it. It ends when the target shows that the turn which
 /// raised it is no more: not for want of evidence. A target of one or two points shows too little, and watches
-/// nothing; nor does one of tags.
+/// nothing; nor does one of tags. A datum, if there is one, watches beside any target.
 ///
 /// A target that no longer fits the calibration is looked for by one that may have turned by a tenth of a degree; what
 /// it finds is evidence, never a pose.
@@ -30,8 +31,9 @@ class Decalibration {
 
   void learn(const Aligned& seen, const Pairs& pairs, const LineModel& model);
 
-  /// The measurement with side-length error and estimate, while they are news, and during an alarm with kDecalibration
-  /// in place of a pose, its points without identity.
+  /// The measurement with side-length error, estimate (the larger of what target and datum show) and whether the mount
+  /// is watched, while they are news, and during an alarm of either with kDecalibration in place of a pose, its points
+  /// without identity.
   [[nodiscard]] Measurement judged(Measurement measurement) const;
 
   /// Evidence is taken no closer in time: nearer verdicts share pictures.
@@ -58,6 +60,7 @@ class Decalibration {
 
   LineModel turned_;  // the model, less sure of how the cameras are turned
   Findings found_;
+  DatumWatch datum_;
   TimePoint searched_{};  // for a target that no longer fits
 };
 

@@ -1,5 +1,6 @@
 #include "line/monitor/monitor.h"
 
+#include <chrono>
 #include <cmath>
 
 #include "geometry/camera_model.h"
@@ -10,6 +11,8 @@ namespace {
 constexpr double kEpipolarMemory = 32.0;      // pairs, about half a second to a second
 constexpr double kSpotSigma_px = 0.5;         // a forecast is never taken for more exact than that
 constexpr double kUsualTurn_rad_per_s = 1.0;  // standard deviation, of a wrist that turns a tool
+
+constexpr Duration kLately = std::chrono::milliseconds(500);  // as long as a motion is known without a position
 
 /// Nothing when the point lies behind a camera.
 std::optional<ForecastPoint> seen_by_both(int id, const PredictedPosition& position, const LineModel& model) {
@@ -47,6 +50,10 @@ void Monitor::learn(const Measurement& measurement, const Pairs& pairs) {
     motion_.take(measurement.exposed, *measurement.pose);
     output_from_target_ = measurement.pose->output_from_target;
   }
+  if (pairs.datum) {
+    datum_seen_ = measurement.exposed;
+    datum_at_ = {pairs.datum->points.left.seen.at, pairs.datum->points.right.seen.at};
+  }
   for (const Pair& pair : pairs.pairs) {
     const double square_px2 = pair.epipolar_px * pair.epipolar_px;
     epipolar_square_px2_ += (square_px2 - epipolar_square_px2_) / (epipolar_known_ ? kEpipolarMemory : 1.0);
@@ -79,6 +86,10 @@ Forecast Monitor::forecast(Duration ahead, const LineModel& model) const {
       return forecast;
     }
     forecast.points.push_back(*seen);
+  }
+  if (model.datum && common_time_ - datum_seen_ <= kLately) {
+    const Matrix2 spot_px2 = kSpotSigma_px * kSpotSigma_px * Matrix2::Identity();
+    forecast.points.push_back({.id = 0, .at = datum_at_, .covariance_px2 = {spot_px2, spot_px2}});
   }
   return forecast;
 }

@@ -12,6 +12,7 @@
 namespace tripoint {
 namespace {
 
+constexpr double kUnstatedTurn_rad = 1e-4;  // standard deviation, of a calibration that does not state its own
 constexpr double kTurnStep_rad = 1e-5;
 constexpr double kMostTiming = 9.0;   // variance of the clocks' part over that of a spot
 constexpr double kClockShare = 1e-3;  // of a standard deviation, for differences
@@ -155,6 +156,14 @@ Eigen::Matrix<double, 6, 3> calibration_by_turn(const StereoCalibration& calibra
     by_turn.col(axis) = (parameters_after(step_rad) - parameters_after(-step_rad)) / (2.0 * kTurnStep_rad);
   }
   return by_turn;
+}
+
+RigCovariance covariance_or_usual(const LineModel& model) {
+  if (!model.covariance.isZero(0.0)) return model.covariance;
+  const Eigen::Matrix<double, 6, 3> spread = kUnstatedTurn_rad * calibration_by_turn(model.calibration);
+  RigCovariance covariance = RigCovariance::Zero();
+  covariance.bottomRightCorner<6, 6>() = spread * spread.transpose();
+  return covariance;
 }
 
 std::optional<TurnEvidence> turn_evidence(const Pairs& pairs, const LineModel& model) {

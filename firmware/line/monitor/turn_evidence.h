@@ -14,6 +14,10 @@ namespace tripoint {
 /// rad), by central differences.
 Eigen::Matrix<double, 6, 3> calibration_by_turn(const StereoCalibration& calibration);
 
+/// The covariance that the calibration states; of one that states none, that of such a turn by 1e-4 rad about each
+/// axis.
+RigCovariance covariance_or_usual(const LineModel& model);
+
 /// Normal equations of such a turn, with the target's pose eliminated. Columns: the turn itself, what errors of the
 /// calibration, of the clocks and of the points' places in the target would do to it, and what was seen. The last four
 /// are the same from view to view, and no number of views averages them out.

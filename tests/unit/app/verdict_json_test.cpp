@@ -18,6 +18,7 @@ TEST(VerdictJsonTest, WithoutAPoseEverythingUnknownIsNull) {
   EXPECT_EQ(line["t_ns"], 123);
   EXPECT_EQ(line["sequence"], 7);
   EXPECT_EQ(line["valid"], false);
+  EXPECT_EQ(line["mount_watched"], false);
   EXPECT_EQ(line["faults"], (json{"not_seen_left", "ambiguous"}));
   EXPECT_TRUE(line["position_mm"].is_null());
   EXPECT_TRUE(line["covariance"].is_null());

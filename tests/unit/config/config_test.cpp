@@ -52,7 +52,7 @@ TEST(ConfigTest, AnUnknownTableIsAnErrorWithTheNearestName) {
 
 TEST(ConfigTest, AnUnknownKeyIsAnErrorInEveryTable) {
   for (const char* table : {"cameras", "cameras.left", "cameras.right", "calibration", "recording", "detector",
-                            "target", "volume", "timing", "output", "modulation", "modbus", "simulation"}) {
+                            "target", "volume", "datum", "timing", "output", "modulation", "modbus", "simulation"}) {
     const auto config = config_with({std::string{table} + ".nonsense=1"});
     ASSERT_FALSE(config.has_value()) << table;
     EXPECT_EQ(config.error().code, ErrorCode::kUnknownKey);

@@ -23,6 +23,50 @@ TEST(VolumeConfigTest, AVolumeWithoutContentIsAnError) {
   EXPECT_EQ(message_with({"volume.max_mm=[150, -149.999, 600]"}), "");
 }
 
+const std::vector<std::string> kDatum{"datum.position_mm=[-180, 120, 650.5]", "datum.uncertainty_mm=0.2",
+                                      "datum.radius_mm=10"};
+
+std::string message_with_datum_and(const std::string& override) {
+  std::vector<std::string> overrides = kDatum;
+  overrides.push_back(override);
+  return message_with(overrides);
+}
+
+TEST(DatumConfigTest, EveryKeyIsRead) {
+  EXPECT_FALSE(config_with({})->datum);
+  const DatumConfig datum = config_with(kDatum)->datum.value();
+  EXPECT_EQ(datum.position_mm, Vec3(-180.0, 120.0, 650.5));
+  EXPECT_EQ(datum.uncertainty_mm, 0.2);
+  EXPECT_EQ(datum.radius_mm, 10.0);
+}
+
+TEST(DatumConfigTest, EachKeyIsRequiredAndSaysItsLine) {
+  const std::string text = std::string{testing::kSmallest} + "[datum]\n";
+  EXPECT_EQ(testing::message_of(text),
+            "demo.toml:6: datum.position_mm is missing: permitted is 3 numbers from -100000 "
+            "to 100000");
+  EXPECT_THAT(testing::message_of(text + "position_mm = [0, 0, 700]\n"), HasSubstr("datum.uncertainty_mm is missing"));
+  EXPECT_THAT(testing::message_of(text + "position_mm = [0, 0, 700]\nuncertainty_mm = 0.2\n"),
+              HasSubstr("datum.radius_mm is missing"));
+  EXPECT_THAT(testing::message_of(text + "position_mm = [0, 0, 700]\nradius = 10\n"),
+              HasSubstr("demo.toml:8: unknown key datum.radius"));
+}
+
+TEST(DatumConfigTest, WhatNoDatumHasIsRefused) {
+  EXPECT_THAT(message_with_datum_and("datum.position_mm=[nan, 0, 700]"), HasSubstr("permitted is 3 numbers"));
+  EXPECT_THAT(message_with_datum_and("datum.position_mm=[0, 700]"), HasSubstr("permitted is 3 numbers"));
+  EXPECT_THAT(message_with_datum_and("datum.uncertainty_mm=0"), HasSubstr("from 0.001 to 100"));
+  EXPECT_THAT(message_with_datum_and("datum.radius_mm=inf"), HasSubstr("from 0.1 to 1000"));
+  EXPECT_THAT(message_with_datum_and("datum.radius_mm=0.2"), HasSubstr("permitted is more than uncertainty_mm"));
+  EXPECT_EQ(message_with_datum_and("datum.radius_mm=0.21"), "");
+}
+
+TEST(DatumConfigTest, ItIsAnLedThatIsLitAllTheTime) {
+  EXPECT_THAT(message_with_datum_and("detector.kind=apriltag"), HasSubstr("permitted is [datum] with \"led\""));
+  EXPECT_THAT(message_with_datum_and("modulation.enabled=true"),
+              HasSubstr("permitted is [datum] with modulation.enabled = false"));
+}
+
 TEST(TimingConfigTest, EveryKeyHasItsRange) {
   const TimingConfig t =
       config_with({"timing.offset_prior_ms=0.1", "timing.bound_mm=0.5", "timing.line_time_us=30"})->timing;

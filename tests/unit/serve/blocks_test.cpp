@@ -131,8 +131,8 @@ TEST(TimingTest, WhatTheSkewCostsIsUnknownWithoutAPose) {
 
 TEST(StatusTest, EveryUnitFlagHasItsBit) {
   UnitState state;
-  state.flags = {true, true, true, true, true, true, true};
-  EXPECT_EQ(image_of(state)[33], 0x63D1);  // ready, stale, calibrated, registered, clock, simulated, verified, watched
+  state.flags = {true, true, true, true, true, true};
+  EXPECT_EQ(image_of(state)[33], 0x23D1);  // ready, stale, calibrated, registered, clock, simulated, verified
 }
 
 TEST(StatusTest, AStoppedUnitHasNoValidPoseHoweverFreshItIs) {

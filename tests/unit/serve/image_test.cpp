@@ -108,6 +108,22 @@ TEST(ImageTest, WithAFaultNoPoseButCauseAndTime) {
   for (std::size_t address = 304; address < 307; ++address) EXPECT_EQ(image[address], 0x8000);
 }
 
+TEST(ImageTest, TheMountIsWatchedAsLongAsAPoseWouldBeFreshWithOrWithoutATarget) {
+  Measurement measurement = position_measurement();
+  EXPECT_EQ(image_of(unit_state(measurement))[33] & 0x4000, 0);
+  measurement.mount_watched = true;
+  measurement.pose.reset();
+  measurement.faults.insert(Fault::kNotSeenLeft);
+  UnitState state = unit_state(measurement);
+  state.pose_since_start = false;
+  for (const std::size_t status : {33U, 101U, 201U, 301U}) {
+    EXPECT_EQ(image_of(state, kExposed + milliseconds(200))[status] & 0x4000, 0x4000) << status;
+    EXPECT_EQ(image_of(state, kExposed + milliseconds(201))[status] & 0x4000, 0) << status;
+  }
+  state.state = registers::State::kStopped;
+  EXPECT_EQ(image_of(state, kExposed + milliseconds(1))[33] & 0x4000, 0);
+}
+
 TEST(ImageTest, APoseOlderThanTheLimitIsStaleInEveryLiveBlock) {
   const UnitState state = unit_state();
   const RegisterImage fresh = image_of(state, kExposed + milliseconds(200));

@@ -26,7 +26,7 @@ def status(common: Common) -> None:
     if common.as_json:
         print_json(_record(identity, answer, health))
         return
-    rows = _identity_rows(identity, answer) + _state_rows(answer, health) + _health_rows(health)
+    rows = _identity_rows(identity, answer) + _state_rows(answer, health) + _health_rows(health, answer.state.status)
     for name, text in rows:
         click.echo(f"{name:<13}{text}")
 
@@ -71,13 +71,13 @@ def _state_rows(answer: Answer, health: Health) -> list[tuple[str, str]]:
     ]
 
 
-def _health_rows(health: Health) -> list[tuple[str, str]]:
+def _health_rows(health: Health, status: int) -> list[tuple[str, str]]:
     return [
         ("left", _camera(health.left)),
         ("", margin_of(health.left)),
         ("right", _camera(health.right)),
         ("", margin_of(health.right)),
-        *_timing_rows(health.timing),
+        *_timing_rows(health.timing, status),
     ]
 
 
@@ -89,7 +89,7 @@ def _camera(camera: Camera) -> str:
     )
 
 
-def _timing_rows(timing: Timing) -> list[tuple[str, str]]:
+def _timing_rows(timing: Timing, status: int) -> list[tuple[str, str]]:
     skew, spread = number(timing.skew_us, 0, "us"), number(timing.skew_uncertainty_us, 0, "us")
     p50, p99 = number(timing.latency_p50_us, 0, "us"), number(timing.latency_p99_us, 0, "us")
     return [
@@ -102,10 +102,14 @@ def _timing_rows(timing: Timing) -> list[tuple[str, str]]:
         (
             "mount",
             f"sides of the target off by {number(timing.side_length_error_mm, 3, 'mm')}, "
-            f"a turned camera misplaces it by {number(timing.decalibration_mm, 3, 'mm')}",
+            f"moved cameras misplace it by {number(timing.decalibration_mm, 3, 'mm')}, {_watched(status)}",
         ),
         ("board", f"{number(timing.cpu_temperature_c, 1, 'degC')}, load {number(timing.load_percent, 0, '%')}"),
     ]
+
+
+def _watched(status: int) -> str:
+    return f"{'a' if status & Status.MOUNT_WATCHED else 'no'} datum is seen where it belongs"
 
 
 def _words(name: str) -> str:

@@ -127,5 +127,27 @@ TEST(MonitorTest, SpeedAndSettledBelongToMeasurementsWithAPose) {
   EXPECT_FALSE(monitor.completed(unseen, model).timing.settled);
 }
 
+TEST(MonitorTest, ADatumThatWasSeenLatelyIsForecastWhereItWasSeen) {
+  Monitor monitor;
+  LineModel model = webcam_model();
+  model.datum = Datum{{-80.0, 95.0, 620.0}, 0.2, 10.0};
+  const Duration ahead = duration_from_seconds(1.0 / 30.0);
+  Pairs with_datum;
+  with_datum.datum.emplace();
+  with_datum.datum->points.left.seen.at = {120.0, 80.0};
+  with_datum.datum->points.right.seen.at = {90.0, 85.0};
+  for (int i = 0; i < 30; ++i) monitor.learn(measured(i / 60.0, {0.0, 0.0, 400.0}), with_datum);
+  const Forecast forecast = monitor.forecast(ahead, model);
+  ASSERT_EQ(forecast.points.size(), 2U);
+  EXPECT_EQ(forecast.points[1].id, 0);
+  EXPECT_EQ(forecast.points[1].at.left.u_px, 120.0);
+  EXPECT_EQ(forecast.points[1].at.right.v_px, 85.0);
+  EXPECT_EQ(forecast.points[1].velocity_px_per_s.left, Vec2(0.0, 0.0));
+  for (int i = 30; i < 59; ++i) monitor.learn(measured(i / 60.0, {0.0, 0.0, 400.0}), {});
+  EXPECT_EQ(monitor.forecast(ahead, model).points.size(), 2U);
+  for (int i = 59; i < 65; ++i) monitor.learn(measured(i / 60.0, {0.0, 0.0, 400.0}), {});
+  EXPECT_EQ(monitor.forecast(ahead, model).points.size(), 1U);
+}
+
 }  // namespace
 }  // namespace tripoint

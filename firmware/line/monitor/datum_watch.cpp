@@ -1,0 +1,79 @@
+#include "line/monitor/datum_watch.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "geometry/triangulation.h"
+#include "line/match/epipolar.h"
+#include "line/monitor/turn_evidence.h"
+
+namespace tripoint {
+namespace {
+
+constexpr int kMemory = 10;  // views: a third of a second
+// Chi-square with four degrees of freedom: above once in 800,000 units, and in 5,000.
+constexpr double kAlarm = 33.0;
+constexpr double kExcluded = 22.0;
+
+struct View {
+  Eigen::Vector4d offset = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+};
+
+/// Nothing when the rays do not meet in front of both cameras or no number comes out.
+std::optional<View> view_of(const Pair& datum, const LineModel& model) {
+  const PerSide<MeasuredPixel> pixels{{datum.points.left.seen.at, datum.points.left.seen.covariance_px2},
+                                      {datum.points.right.seen.at, datum.points.right.seen.covariance_px2}};
+  const Result<TriangulatedPoint> place = triangulated(model.rig, pixels, model.limits.min_angle_rad);
+  const std::optional<EpipolarGate> epipolar = epipolar_gate(model, pixels);
+  const auto gradient = epipolar_calibration_gradient(model.calibration, {pixels.left.at, pixels.right.at});
+  if (!place || !epipolar || !gradient) return std::nullopt;
+  Eigen::Matrix<double, 4, 24> by_calibration;
+  by_calibration << calibration_jacobian(model.calibration, pixels), gradient->transpose();
+  const Eigen::Matrix<double, 4, 24> calibration = by_calibration.lazyProduct(covariance_or_usual(model));
+  const double own_mm = model.datum->uncertainty_mm / 2.0;
+
+  View view;
+  view.offset << place->in_rig_mm - model.datum->in_rig_mm, epipolar->distance_px;
+  view.covariance = calibration.lazyProduct(by_calibration.transpose());
+  view.covariance.topLeftCorner<3, 3>() += place->covariance_mm2 + own_mm * own_mm * Matrix3::Identity();
+  view.covariance(3, 3) += epipolar->noise_px2;
+  if (!view.offset.allFinite() || !view.covariance.allFinite()) return std::nullopt;
+  return view;
+}
+
+}  // namespace
+
+void DatumWatch::learn(const Pair& datum, TimePoint at, const LineModel& model) {
+  const std::optional<View> view = view_of(datum, model);
+  if (!view) return;
+  if (at > newest_ + kFindingShown) views_ = 0;  // what was seen before is no news
+  newest_ = at;
+  views_ = std::min(views_ + 1, kMemory);
+  offset_ += (view->offset - offset_) / views_;
+  covariance_ += (view->covariance - covariance_) / views_;
+  if (views_ >= kLeastViews) judge();
+}
+
+void DatumWatch::judge() {
+  const Eigen::LDLT<Eigen::Matrix4d> covariance(covariance_);
+  const auto chi2 = [&](const Offset& explained) -> double {
+    const Offset unexplained = offset_ - explained;
+    return unexplained.dot(covariance.solve(unexplained));
+  };
+  const double without = chi2(Offset::Zero());
+  if (without > std::max(kAlarm, alarm_ ? alarm_chi2_ : 0.0)) {
+    alarm_ = true;
+    alarm_chi2_ = without;
+    alarm_offset_ = offset_;
+  } else if (alarm_ && without < kExcluded && chi2(alarm_offset_) > kExcluded) {
+    alarm_ = false;
+  }
+}
+
+std::optional<double> DatumWatch::moved_mm(TimePoint at) const {
+  if (views_ < kLeastViews || at > newest_ + kFindingShown) return std::nullopt;
+  return offset_.head<3>().norm();
+}
+
+}  // namespace tripoint

@@ -1,0 +1,48 @@
+// Whether the fixed datum is seen where it belongs.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "line/match/match.h"
+#include "line/model.h"
+#include "values/linear.h"
+#include "values/time.h"
+
+namespace tripoint {
+
+/// What is found stays news for so long after the newest view.
+inline constexpr Duration kFindingShown = std::chrono::seconds(2);
+
+/// A datum that is seen beside its place shows what a target alone never does: a turn of one camera also when the
+/// target is a single LED, and both cameras that were moved together. Which it was cannot be told, nor whether somebody
+/// moved the datum. It is an alarm when what the datum's spots, its own place and the calibration may be wrong by, each
+/// as stated, hardly ever explains it. It ends when the datum is seen at its place, and no more where it was seen then.
+class DatumWatch {
+ public:
+  /// One view of the datum, by a model that has one.
+  void learn(const Pair& datum, TimePoint at, const LineModel& model);
+
+  [[nodiscard]] bool alarm() const { return alarm_; }
+  /// How far beside its place it is seen, mean over the newest views; absent when they are too few, or old at this
+  /// time.
+  [[nodiscard]] std::optional<double> moved_mm(TimePoint at) const;
+
+  static constexpr int kLeastViews = 4;  ///< before anything is judged
+
+ private:
+  /// Of the datum in the rig, mm, against its place, and its epipolar distance, px.
+  using Offset = Eigen::Vector4d;
+
+  void judge();
+
+  Offset offset_ = Offset::Zero();                        // mean of the newest views
+  Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Zero();  // of one view: an LED that stands still errs alike in each
+  int views_ = 0;                                         // in the mean, no more than it remembers
+  TimePoint newest_{};
+  bool alarm_ = false;
+  double alarm_chi2_ = 0.0;  // the largest since it was raised, and the offset that it spoke for
+  Offset alarm_offset_ = Offset::Zero();
+};
+
+}  // namespace tripoint
