@@ -26,15 +26,16 @@ DetectPoints led_detection(const DetectorConfig& config) {
 }
 
 Result<DetectPoints> tag_detection(const DetectorConfig& config, const MeasuredTarget& target) {
-  Result<TagDetector> opened = TagDetector::open({.family = target.tag_family, .min_margin = config.min_margin});
-  if (!opened) return tl::make_unexpected(opened.error());
   std::vector<int> ids;
+  for (const TargetTag& tag : target.target.tags) ids.push_back(tag.id);
+  Result<TagDetector> opened =
+      TagDetector::open({.family = target.tag_family, .min_margin = config.min_margin, .ids = ids});
+  if (!opened) return tl::make_unexpected(opened.error());
   for (const TargetTag& tag : target.target.tags) {
     if (tag.id >= opened->ids()) {
       return failure(ErrorCode::kOutOfRange, fmt::format("{} has no tag {}: permitted is 0 to {}", target.tag_family,
                                                          tag.id, opened->ids() - 1));
     }
-    ids.push_back(tag.id);
   }
   const auto detector = std::make_shared<TagDetector>(std::move(*opened));  // shared: as above
   return [detector, ids](const Picture& picture, const Forecast& forecast) {

@@ -20,7 +20,9 @@ void TagLibraryEnd::operator()(TagLibrary* library) const { delete library; }
 
 TagDecoder::TagDecoder(std::unique_ptr<TagLibrary, TagLibraryEnd> library) : library_(std::move(library)) {}
 
-Result<TagDecoder> TagDecoder::open(std::string_view /*family*/) { return built_without(); }
+Result<TagDecoder> TagDecoder::open(std::string_view /*family*/, std::span<const int> /*ids*/) {
+  return built_without();
+}
 
 Result<TagCells> tag_print(std::string_view /*family*/, int /*id*/) { return built_without(); }
 

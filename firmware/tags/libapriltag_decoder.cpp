@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "tags/libapriltag_families.h"
 #include "tags/tag_decoder.h"
@@ -42,7 +43,23 @@ struct TagLibrary {
   apriltag_family_t* family = nullptr;
   void (*destroy_family)(apriltag_family_t*) = nullptr;
   apriltag_detector_t* detector = nullptr;
+  std::vector<int> ids;  // none: all
 };
+
+namespace {
+
+/// Places in the list of what was found.
+std::vector<int> wanted(const zarray_t& found, const std::vector<int>& ids) {
+  std::vector<int> places;
+  for (int i = 0; i < zarray_size(&found); ++i) {
+    apriltag_detection_t* one = nullptr;
+    zarray_get(&found, i, static_cast<void*>(&one));
+    if (ids.empty() || std::find(ids.begin(), ids.end(), one->id) != ids.end()) places.push_back(i);
+  }
+  return places;
+}
+
+}  // namespace
 
 void TagLibraryEnd::operator()(TagLibrary* library) const {
   apriltag_detector_destroy(library->detector);
@@ -52,11 +69,11 @@ void TagLibraryEnd::operator()(TagLibrary* library) const {
 
 TagDecoder::TagDecoder(std::unique_ptr<TagLibrary, TagLibraryEnd> library) : library_(std::move(library)) {}
 
-Result<TagDecoder> TagDecoder::open(std::string_view family) {
+Result<TagDecoder> TagDecoder::open(std::string_view family, std::span<const int> ids) {
   const Result<NamedFamily> named = family_named(family);
   if (!named) return tl::make_unexpected(named.error());
   std::unique_ptr<TagLibrary, TagLibraryEnd> library(
-      new TagLibrary{named->create(), named->destroy, apriltag_detector_create()});
+      new TagLibrary{named->create(), named->destroy, apriltag_detector_create(), {ids.begin(), ids.end()}});
   library->detector->nthreads = 1;
   library->detector->quad_decimate = 1.0F;
   library->detector->refine_edges = false;  // corners are measured anew by the edges
@@ -70,7 +87,7 @@ DecodedTags TagDecoder::decode(LumaCopy& luma) {
   if (std::min(size.width_px, size.height_px) < kSmallestSide_px) return decoded_tags;
   image_u8_t picture{size.width_px, size.height_px, size.width_px, luma.values().data()};
   zarray_t* const found = apriltag_detector_detect(library_->detector, &picture);
-  for (int i = 0; i < zarray_size(found); ++i) {
+  for (const int i : wanted(*found, library_->ids)) {
     apriltag_detection_t* one = nullptr;
     zarray_get(found, i, static_cast<void*>(&one));
     if (!decoded_tags.tags.try_push_back(decoded(*one))) decoded_tags.cut = true;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "tags/luma_copy.h"
@@ -49,9 +50,10 @@ class TagDecoder {
   /// of 5000 squares; otherwise none.
   ///
   /// @param family  as libapriltag names it, for example tag36h11
+  /// @param ids     that are wanted; others leave them their room. None: all
   /// @return kOutOfRange when it has no such family, naming those it has; kMismatch when the program was built without
   /// it
-  static Result<TagDecoder> open(std::string_view family);
+  static Result<TagDecoder> open(std::string_view family, std::span<const int> ids = {});
 
   /// @param luma  not changed
   DecodedTags decode(LumaCopy& luma);

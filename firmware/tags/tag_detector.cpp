@@ -4,7 +4,7 @@
 
 namespace tripoint {
 Result<TagDetector> TagDetector::open(const TagDetectorSettings& settings) {
-  return TagDecoder::open(settings.family).map([&](TagDecoder decoder) {
+  return TagDecoder::open(settings.family, settings.ids).map([&](TagDecoder decoder) {
     return TagDetector(std::move(decoder), settings.min_margin);
   });
 }

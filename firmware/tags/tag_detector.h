@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ports/frame.h"
 #include "tags/luma_copy.h"
@@ -16,6 +17,8 @@ struct TagDetectorSettings {
   std::string family = "tag36h11";
   /// Luma steps. Below lie squares that chance makes a tag.
   double min_margin = 25.0;
+  /// Of the tags that are looked for; others are as if not there. None: all of the family.
+  std::vector<int> ids{};
 };
 
 struct SeenTag {

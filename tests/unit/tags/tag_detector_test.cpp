@@ -232,5 +232,22 @@ TEST(TagDetectorTest, AnUnknownFamilyNamesThoseThereAre) {
   EXPECT_NE(detector.error().message.find("tagStandard41h12"), std::string::npos);
 }
 
+// 72 tags of another id in eight rows, and the wanted one among them: more than there is room for, without the others.
+TEST(TagDetectorTest, OtherTagsDoNotTakeTheRoomOfThoseThatAreWanted) {
+  Sheet sheet({1280, 960});
+  for (int i = 0; i < 72; ++i) {
+    const Vec3 place_mm((140.0 * (i % 9) + 80.0 - 320.0) / 1.57, (115.0 * (i / 9) + 70.0 - 240.0) / 1.57, 400.0);
+    sheet.draw(tag36h11(kCodes36h11[i == 50 ? 2 : 1]), test::seen_by_camera(Matrix3::Identity(), place_mm, 40.0));
+  }
+  const Picture picture = sheet.grey();
+  EXPECT_TRUE(detector_for().detect(picture).cut);
+  Result<TagDetector> wanted = TagDetector::open({.ids = {2}});
+  ASSERT_TRUE(wanted);
+  const SeenTags seen = wanted->detect(picture);
+  EXPECT_FALSE(seen.cut);
+  ASSERT_EQ(seen.tags.size(), 1U);
+  EXPECT_EQ(seen.tags[0].decoded.id, 2);
+}
+
 }  // namespace
 }  // namespace tripoint
