@@ -17,6 +17,7 @@ namespace tripoint::bench {
 struct ErrorSources {
   double spot_px = 0.05;
   double target_mm = 0.025;     ///< of each LED's place in the target, along each axis
+  double datum_mm = 0.1;        ///< of a datum's place, likewise
   double calibration_px = 0.1;  ///< of the points in the pictures of a board and a wand (adjustment_covariance)
 };
 

@@ -157,7 +157,8 @@ TEST(BumpTest, ATenthOfADegreeIsNoticedAboutEachAxis) {
     double sum_s = 0.0;
     for (std::uint64_t i = 0; i < 8; ++i) {
       const Side side = kBothSides[i % 2];
-      const double time_s = bench::seconds_to_alarm(kWatchedLeds, {}, {side, kTenthOfADegree_rad * axis}, 50 * i, 60.0);
+      const double time_s =
+          bench::seconds_to_alarm({kWatchedLeds}, {}, {side, kTenthOfADegree_rad * axis}, 50 * i, 60.0);
       EXPECT_LE(time_s, 4.0) << axis.transpose();
       sum_s += time_s;
     }
@@ -167,7 +168,7 @@ TEST(BumpTest, ATenthOfADegreeIsNoticedAboutEachAxis) {
 }
 
 TEST(BumpTest, NoAlarmInTwoMinutesAmongOtherLights) {
-  EXPECT_EQ(bench::alarms_without_cause(kWatchedLeds, {}, 1, 120.0), 0);
+  EXPECT_EQ(bench::alarms_without_cause({kWatchedLeds}, {}, 1, 120.0), 0);
 }
 
 }  // namespace
