@@ -72,7 +72,7 @@ UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& c
   if (!constants_.calibrated) state.faults.insert(Fault::kNoCalibration);
   if (camera_state(cameras.left) == registers::CameraState::kMissing) state.faults.insert(Fault::kLeftCameraLost);
   if (camera_state(cameras.right) == registers::CameraState::kMissing) state.faults.insert(Fault::kRightCameraLost);
-  if (!constants_.unique_serials) state.warnings.insert(Warning::kNoUniqueSerial);
+  state.warnings = constants_.warnings;
   state.newest = newest_;
   state.exposure_since_start = exposure_since_start_;
   state.pose_since_start = pose_since_start_;

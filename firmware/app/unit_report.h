@@ -21,9 +21,9 @@ struct UnitConstants {
   UnitIdentity identity;
   OutputLimits limits;
   bool calibrated = false;
-  bool verified = false;       ///< the calibration, by a length
-  bool simulated = true;       ///< simulation or recording
-  bool unique_serials = true;  ///< false: a camera without a serial number is bound by its port
+  bool verified = false;  ///< the calibration, by a length
+  bool simulated = true;  ///< simulation or recording
+  Warnings warnings;      ///< of what is so by setup
 };
 
 /// Turns verdicts into the state that is published. Used by the measuring thread alone.

@@ -79,6 +79,11 @@ bool has_unique_serials(const Calibration& calibration) {
   return !serial.left.empty() && !serial.right.empty() && serial.left != serial.right;
 }
 
+/// Tags by their bits, three LEDs and more by their distances.
+bool shows_an_identity(const TargetFile& target) {
+  return target.kind == TargetKind::kAprilTag || target.points.size() >= 3;
+}
+
 UnitConstants constants_of(const Config& config, const std::optional<Calibration>& calibration,
                            const TargetFile& target) {
   UnitConstants constants;
@@ -91,9 +96,10 @@ UnitConstants constants_of(const Config& config, const std::optional<Calibration
   constants.limits = {.age_limit = config.output.age_limit, .latch_hold = config.output.latch_hold};
   constants.calibrated = calibration.has_value();
   constants.simulated = is_simulated(config.cameras.source);
+  if (!config.modulation.enabled && !shows_an_identity(target)) constants.warnings.insert(Warning::kLightUnproved);
   if (calibration) {
     constants.verified = verified_by_length(*calibration);
-    constants.unique_serials = has_unique_serials(*calibration);
+    if (!has_unique_serials(*calibration)) constants.warnings.insert(Warning::kNoUniqueSerial);
   }
   return constants;
 }

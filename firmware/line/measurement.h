@@ -50,6 +50,7 @@ enum class Warning : std::uint8_t {
   kWarmUp = 8,
   kRefusedClients = 9,
   kResourceMissing = 10,
+  kLightUnproved = 11,
 };
 
 /// A small set of enumerators, kept as the bits of a register.

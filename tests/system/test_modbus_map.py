@@ -32,7 +32,7 @@ def read(client: ModbusTcpClient, table: str, address: int, count: int) -> Modbu
 
 @pytest.mark.parametrize("table", ["input", "holding"])
 def test_both_tables_name_a_tripoint_of_map_1(client: ModbusTcpClient, table: str) -> None:
-    assert read(client, table, 0, 4).registers == [0x5450, 1, 1, 1000]
+    assert read(client, table, 0, 4).registers == [0x5450, 1, 2, 1000]
 
 
 @pytest.mark.parametrize("table", ["input", "holding"])

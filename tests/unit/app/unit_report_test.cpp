@@ -195,12 +195,12 @@ TEST(UnitReportTest, WithoutATargetTheMarginIsThatOfEverySpotAndWithoutSpotsUnkn
   EXPECT_FALSE(report.state({delivering(), delivering()}, clock).cameras.left.above_dim);
 }
 
-TEST(UnitReportTest, ACameraBoundByItsPortIsWarnedAbout) {
+TEST(UnitReportTest, WhatIsSoBySetupIsWarnedAboutFromTheStart) {
   const HeldClock clock;
   UnitConstants constants = calibrated_unit();
-  constants.unique_serials = false;
-  const UnitReport report(constants, clock.now());
-  EXPECT_TRUE(report.state({}, clock).warnings.contains(Warning::kNoUniqueSerial));
+  EXPECT_TRUE(UnitReport(constants, clock.now()).state({}, clock).warnings.empty());
+  constants.warnings = {Warning::kNoUniqueSerial, Warning::kLightUnproved};
+  EXPECT_EQ(UnitReport(constants, clock.now()).state({}, clock).warnings, constants.warnings);
 }
 
 }  // namespace

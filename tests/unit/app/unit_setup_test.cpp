@@ -154,6 +154,18 @@ TEST(UnitSetupTest, ModulationIsPartOfTheSetupAndNeedsATargetOfLeds) {
       << refused.error().message;
 }
 
+TEST(UnitSetupTest, OneSteadyLedIsWarnedAboutBecauseAnotherRedLightCanStandInForIt) {
+  const auto warned = [](const std::vector<std::string>& overrides) {
+    const Result<UnitSetup> setup = demo_setup(overrides);
+    EXPECT_TRUE(setup) << setup.error().message;
+    return setup && setup->constants.warnings.contains(Warning::kLightUnproved);
+  };
+  EXPECT_FALSE(warned({}));  // three LEDs
+  EXPECT_TRUE(warned({"target.file="}));
+  EXPECT_FALSE(warned({"target.file=", "modulation.enabled=true"}));
+  EXPECT_FALSE(warned({"target.file=" + TagTarget().path(), "detector.kind=apriltag"}));
+}
+
 TEST(UnitSetupTest, TheSetupChangesWithWhatAPoseMeansAndWithNothingElse) {
   const std::uint16_t setup = demo_setup()->constants.identity.setup;
   EXPECT_NE(demo_setup({"output.frame=left_camera"})->constants.identity.setup, setup);

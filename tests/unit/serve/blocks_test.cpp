@@ -159,6 +159,7 @@ TEST(StatusTest, FaultsAndWarningsHaveTheBitsOfTheContract) {
   EXPECT_EQ(static_cast<int>(Fault::kTimingBound), static_cast<int>(registers::FaultBit::kTimingBound));
   EXPECT_EQ(static_cast<int>(Warning::kRefusedClients), static_cast<int>(registers::WarningBit::kRefusedClients));
   EXPECT_EQ(static_cast<int>(Warning::kResourceMissing), static_cast<int>(registers::WarningBit::kResourceMissing));
+  EXPECT_EQ(static_cast<int>(Warning::kLightUnproved), static_cast<int>(registers::WarningBit::kLightUnproved));
 }
 
 }  // namespace

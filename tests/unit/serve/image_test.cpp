@@ -22,7 +22,7 @@ TEST(ImageTest, IdentityStandsWhereTheMapSays) {
   const RegisterImage image = image_of(unit_state());
   EXPECT_EQ(image[0], 0x5450);
   EXPECT_EQ(image[1], 1);
-  EXPECT_EQ(image[2], 1);
+  EXPECT_EQ(image[2], 2);
   EXPECT_EQ(image[3], 1000);
   EXPECT_EQ(u32_at(image, 4), 0x01020304U);
   EXPECT_EQ(f32_at(image, 6), 123456.0F);

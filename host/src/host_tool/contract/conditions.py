@@ -60,6 +60,7 @@ REMEDIES: dict[str, str] = {
     "warm_up": "wait until it is warm before measuring to the limit",
     "refused_clients": "check the limits and the allow-list in [modbus]",
     "resource_missing": "read the unit's log for disk, line or permission",
+    "light_unproved": "keep other red lights out of view, let the LEDs blink, or use three",
 }
 
 
