@@ -1,8 +1,9 @@
 // How many LEDs the detector finds in cluttered stereo scenes, and what it believes to be one.
 //
 // usage: bench_clutter [--scenes N] [--first-seed S] [--row NAME] [--list]
-// A table on stderr, one row for each kind of scene; its figures on stdout. --list names each miss and
-// each false point; tripoint-render --scenario clutter --seed S draws the same picture.
+// A table on stderr, one row for each kind of scene; its figures on stdout. --list names each miss, each
+// LED that lies beyond three stated deviations and each false point; tripoint-render --scenario clutter --seed S draws
+// the same picture.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -84,6 +85,11 @@ void list(const Row& row, std::uint64_t seed, Side side, const ViewScore& view) 
                  std::string(name(side)).c_str(), at.u_px, at.v_px, what);
   };
   for (const LedScore& led : view.leds) {
+    if (led.found && !led.covered) {
+      where("misplaced", led.at);
+      std::fprintf(stderr, " %.3f px, stated %.3f px per axis, %s\n", led.error_px, led.stated_px,
+                   text(kCompanyNames, led.company));
+    }
     if (led.found) continue;
     where("missed", led.at);
     std::fprintf(stderr, " %s, %s, peak %.2f\n", led.cause.c_str(), text(kCompanyNames, led.company), led.peak);
@@ -130,10 +136,7 @@ Tally tally_of(const Row& row, const Options& options) {
       count(tally, views[side]);
       if (options.list) list(row, seed, side, views[side]);
     }
-    LineModel model;
-    model.calibration = settings.rig;
-    model.rig = world.rig();
-    const PairCounts pairs = pair_counts(model, views);
+    const PairCounts pairs = pair_counts(clutter_model(settings), views);
     tally.pairs.leds += pairs.leds;
     tally.pairs.ghosts += pairs.ghosts;
     tally.pairs.red_lights += pairs.red_lights;

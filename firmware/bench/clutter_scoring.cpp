@@ -20,6 +20,7 @@ constexpr double kSameThing_px = 2.0;  // a point this close to a light, or with
 constexpr double kLookedAt_px = 3.0;   // a candidate this close to an LED, or within three of its sigma, is about it
 constexpr double kNearest_mm = 250.0;
 constexpr double kFarthest_mm = 1000.0;
+constexpr double kOffsetPrior_s = 100e-6;
 
 double distance_px(const RawPixel& a, const RawPixel& b) { return std::hypot(a.u_px - b.u_px, a.v_px - b.v_px); }
 
@@ -132,6 +133,18 @@ ViewScore view_score(const Detection& detection, const CandidateLog& candidates,
   }
   for (const ImagePoint& point : detection.points) score.points.push_back(point_score(point, truth, world));
   return score;
+}
+
+LineModel clutter_model(const SimulationSettings& scene) {
+  LineModel model;
+  model.calibration = scene.rig;
+  model.rig = rig_of(scene.rig).value();
+  model.limits.offset_prior_s = kOffsetPrior_s;
+  model.target.facing = -Vec3::UnitZ();  // as the scenes have it
+  for (const LightSource& light : scene.scene.lights) {
+    if (light.id != 0) model.target.points.push_back({light.id, light.place_mm, 0.0});
+  }
+  return model;
 }
 
 PairCounts pair_counts(const LineModel& model, const PerSide<ViewScore>& views) {

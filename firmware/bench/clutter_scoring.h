@@ -56,6 +56,9 @@ struct ViewScore {
 ViewScore view_score(const Detection& detection, const CandidateLog& candidates, const FrameTruth& truth,
                      const SimulatedWorld& world);
 
+/// A unit that knows the cameras, the target and its places exactly, and the clocks to 0.1 ms, in a scene of clutter.
+LineModel clutter_model(const SimulationSettings& scene);
+
 /// Pairs of a left and a right point that pass the epipolar gate and lie 250 to 1000 mm away.
 struct PairCounts {
   int leds = 0;        ///< both points are the same LED

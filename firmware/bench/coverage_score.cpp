@@ -1,6 +1,5 @@
 #include "bench/coverage_score.h"
 
-#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -8,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "bench/pose_error.h"
 #include "bench/seen_tags.h"
-#include "geometry/rigid_fit.h"
 #include "line/gate/gate.h"
 #include "line/match/match.h"
 #include "line/pose/pose.h"
@@ -62,17 +61,6 @@ std::vector<Vec3> corners_of(const Target& target) {
   return corners_mm;
 }
 
-/// Position, mm, and rotation vector, rad, about the axes of the output frame.
-PoseParameters error_of(const TargetPose& measured, const Isometry3& truth) {
-  PoseParameters error = PoseParameters::Zero();
-  error.head<3>() = measured.position_in_output_mm - truth.translation();
-  if (measured.output_from_target) {
-    const Eigen::AngleAxisd turn(*measured.output_from_target * truth.linear().transpose());
-    error.tail<3>() = turn.angle() * turn.axis();
-  }
-  return error;
-}
-
 struct Sums {
   int inside = 0;
   int axes = 0;
@@ -82,17 +70,15 @@ struct Sums {
 };
 
 void add(Sums& sums, const TargetPose& pose, const Isometry3& truth) {
-  const PoseParameters error = error_of(pose, truth);
+  const PoseError off = pose_error(pose, truth);
   const Matrix6 spread = pose.noise + pose.shared;
-  const Eigen::Index size = pose.output_from_target ? 6 : 3;
-  const double chi2 = error.head(size).dot(spread.topLeftCorner(size, size).ldlt().solve(error.head(size)));
-  sums.inside += chi2 <= (size == 6 ? kMostOfPose : kMostOfPosition) ? 1 : 0;
-  for (Eigen::Index axis = 0; axis < size; ++axis) {
+  sums.inside += off.chi2 <= (off.size == 6 ? kMostOfPose : kMostOfPosition) ? 1 : 0;
+  for (Eigen::Index axis = 0; axis < off.size; ++axis) {
     ++sums.axes;
-    sums.axes_inside += error[axis] * error[axis] <= 4.0 * spread(axis, axis) ? 1 : 0;
+    sums.axes_inside += off.error[axis] * off.error[axis] <= 4.0 * spread(axis, axis) ? 1 : 0;
   }
-  sums.squares_mm2 += error.head<3>().squaredNorm();
-  sums.squares_rad2 += error.tail<3>().squaredNorm();
+  sums.squares_mm2 += off.error.head<3>().squaredNorm();
+  sums.squares_rad2 += off.error.tail<3>().squaredNorm();
 }
 
 ViewSettings alone(double sigma_px) {

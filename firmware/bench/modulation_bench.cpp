@@ -13,6 +13,7 @@
 
 #include "bench/clutter_scoring.h"
 #include "bench/figure.h"
+#include "bench/pose_error.h"
 #include "bench/stepped_unit.h"
 #include "sim/clutter.h"
 #include "sim/world.h"
@@ -22,10 +23,7 @@ namespace {
 
 constexpr Duration kProving = std::chrono::milliseconds(600);  // longer than it takes until an LED is believed
 constexpr Duration kScored = std::chrono::milliseconds(600);
-constexpr double kStep_px = 2.0;       // a picture, of what moves
-constexpr double kWrong_mm = 1.0;      // and beyond kWrongSigmas: a wrong pose
-constexpr double kWrongSigmas = 4.03;  // 99.9 % of three normal errors lie within
-constexpr double kOffsetPrior_s = 100e-6;
+constexpr double kStep_px = 2.0;    // a picture, of what moves
 constexpr double kSeenShare = 0.9;  // of an LED's light, below which it is hidden in part
 constexpr double kSamePlace_mm = 10.0;
 constexpr Duration kHiddenFor = std::chrono::milliseconds(150);  // so long pictures take part in poses
@@ -75,18 +73,6 @@ SimulationSettings settings_of(const Row& row, std::uint64_t seed) {
   return settings;
 }
 
-LineModel model_of(const SimulationSettings& settings) {
-  LineModel model;
-  model.calibration = settings.rig;
-  model.rig = rig_of(settings.rig).value();
-  model.limits.offset_prior_s = kOffsetPrior_s;
-  model.target.facing = -Vec3::UnitZ();  // as the scenes of clutter have it
-  for (const LightSource& light : settings.scene.lights) {
-    if (light.id != 0) model.target.points.push_back({light.id, light.place_mm, 0.0});
-  }
-  return model;
-}
-
 void count(Tally& tally, const Observation& believed, const FrameTruth& truth, const SimulatedWorld& world) {
   Detection detection;
   detection.points = believed.points;
@@ -120,17 +106,13 @@ void learn(Astray& astray, const FrameTruth& truth, const SimulatedWorld& world)
   }
 }
 
-/// Against the place of the target's origin.
 void count(Tally& tally, const Measurement& verdict, const SimulationSettings& settings, const Astray& astray) {
   ++tally.verdicts;
   if (!verdict.pose) return;
   ++tally.poses;
+  const Isometry3 truth = target_pose_at(settings.trajectory, verdict.exposed.time_since_epoch());
+  if (!is_wrong(pose_error(*verdict.pose, truth))) return;
   const Vec3& place_mm = verdict.pose->position_in_output_mm;
-  const Vec3 error_mm =
-      place_mm - target_pose_at(settings.trajectory, verdict.exposed.time_since_epoch()).translation();
-  const Matrix3 covariance_mm2 = verdict.pose->noise.topLeftCorner<3, 3>() + verdict.pose->shared.topLeftCorner<3, 3>();
-  const double sigmas = std::sqrt(error_mm.dot(covariance_mm2.inverse() * error_mm));
-  if (error_mm.norm() <= kWrong_mm || sigmas <= kWrongSigmas) return;
   const bool reflected = std::ranges::any_of(astray.reflections_mm, [&](const Vec3& reflection_mm) {
     return (place_mm - reflection_mm).norm() < kSamePlace_mm;
   });
@@ -154,7 +136,7 @@ Tally tally_of(const Row& row, std::uint64_t scenes, std::uint64_t first_seed, b
     const auto verdict = [&](const Measurement& measured) {
       if (scored) count(tally, measured, settings, astray);
     };
-    SteppedUnit unit(settings, model_of(settings), modulated ? std::optional(Switching{}) : std::nullopt,
+    SteppedUnit unit(settings, clutter_model(settings), modulated ? std::optional(Switching{}) : std::nullopt,
                      {picture, verdict});
     unit.run_for(kProving);
     scored = true;

@@ -73,6 +73,7 @@ struct Candidate {
   float surround_red = 0.0F;  ///< V
   float redness = 0.0F;       ///< dV/dY
   float emission = 0.0F;      ///< dY/dS
+  float parting_px = 0.0F;    ///< from the middle of its luma to the middle of its red
   float sigma_px = 0.0F;
   float amplitude = 0.0F;    ///< luma steps, of the brightest visible pixel
   float residual = 0.0F;     ///< of the amplitude

@@ -23,6 +23,10 @@ constexpr double kWellSampled_px = 1.15;   ///< a sharper spot falls between the
 constexpr double kDoubtOfSharpness = 0.6;  ///< px of error for each px of sigma below: rendered spots of 0.6 to 1.2 px
 constexpr double kPixelGrain_px2 = 0.45;   ///< long^2 - short^2 of a block of 3 by 2 pixels
 constexpr double kDoubtfulAspect = 1.4;    ///< from it on, for merged or partly hidden
+/// From the middle of the red to the middle of the luma of an LED alone, px; halved rows of chroma say it more roughly.
+constexpr double kUsualParting_px = 0.2;
+constexpr double kUsualPartingHalved_px = 0.5;
+constexpr double kDoubtOfParting = 2.0;  ///< px of error for each px beyond: rendered LEDs beside highlights
 
 /// Half-windows in which a spot may fit; halos and big spots need the larger ones.
 std::array<int, 3> half_windows(int width_px) {
@@ -50,6 +54,12 @@ double doubt_of_stretched_px(const Area& area) {
 /// Of a Gaussian fitted on ground that is taken for level: 4 sigma^2 / A times the slope.
 double displacement_by_slope_px(const SpotFit& fit, double slope) {
   return 4.0 * fit.model.sigma_px * fit.model.sigma_px / std::max(fit.visible_amplitude, 1.0) * slope;
+}
+
+/// Light that is not red beside an LED draws the centre of the luma away from it, but not that of its red.
+double doubt_of_parting_px(double parting_px, const Picture& picture) {
+  const double usual_px = picture.chroma_rows_halved ? kUsualPartingHalved_px : kUsualParting_px;
+  return kDoubtOfParting * std::max(0.0, parting_px - usual_px);
 }
 
 }  // namespace
@@ -187,7 +197,9 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   if (seen_.red_step < static_cast<float>(settings_.min_red_step)) return DropCause::kNotRedder;
   seen_.redness = static_cast<float>(redness_of_flank(window_, area_, around_, peak));
   if (seen_.redness < static_cast<float>(settings_.min_redness)) return DropCause::kNotRed;
-  seen_.emission = static_cast<float>(emission_of_area(window_, flood_, around_));
+  const AreaLight light = light_of_area(window_, flood_, around_);
+  seen_.emission = static_cast<float>(light.emission);
+  seen_.parting_px = static_cast<float>(light.parting_px);
   return seen_.emission < static_cast<float>(settings_.min_emission) ? DropCause::kNotEmitting : DropCause::kKept;
 }
 
@@ -208,7 +220,7 @@ DropCause Inspector::fit(const Picture& picture) {
     if (seen_.peak < seen_.needed_peak) return DropCause::kDim;
   }
   const DropCause cause = check(*measured, picture);
-  if (cause == DropCause::kKept) make_point(*measured);
+  if (cause == DropCause::kKept) make_point(*measured, picture);
   return cause;
 }
 
@@ -238,7 +250,7 @@ DropCause Inspector::check(const SpotMeasurement& measured, const Picture& pictu
   return share < 0.3 || share > 1.35 ? DropCause::kWrongProfile : DropCause::kKept;
 }
 
-void Inspector::make_point(const SpotMeasurement& measured) {
+void Inspector::make_point(const SpotMeasurement& measured, const Picture& picture) {
   const SpotFit& fit = measured.fit;
   const bool by_strength = measured.channel == Channel::kStrength;
   double doubt_px2 = settings_.floor_px * settings_.floor_px;
@@ -250,7 +262,9 @@ void Inspector::make_point(const SpotMeasurement& measured) {
       kDoubtOfMisfit * fit.model.sigma_px * std::max(0.0, static_cast<double>(seen_.misfit) - kUsualMisfit);
   const double sharp_px = kDoubtOfSharpness * std::max(0.0, kWellSampled_px - fit.model.sigma_px);
   const double slope_px = displacement_by_slope_px(fit, measured.slope_left_in);
-  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px + sharp_px * sharp_px + slope_px * slope_px;
+  const double parting_px = doubt_of_parting_px(static_cast<double>(seen_.parting_px), picture);
+  doubt_px2 += stretched_px * stretched_px + misfit_px * misfit_px + sharp_px * sharp_px + slope_px * slope_px +
+               parting_px * parting_px;
   point_ = ImagePoint{.at = seen_.at,
                       .covariance_px2 = fit.covariance_px2 + doubt_px2 * Matrix2::Identity(),
                       .label = std::nullopt,

@@ -42,7 +42,7 @@ class Inspector {
   void show_surround(const Picture& picture);
   void note(const SpotMeasurement& measured);
   [[nodiscard]] DropCause check(const SpotMeasurement& measured, const Picture& picture) const;
-  void make_point(const SpotMeasurement& measured);
+  void make_point(const SpotMeasurement& measured, const Picture& picture);
 
   LedDetectorSettings settings_;
   SpotWindow window_;

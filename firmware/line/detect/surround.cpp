@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "line/detect/disc.h"
+#include "values/linear.h"
 
 namespace tripoint {
 namespace {
@@ -58,6 +59,20 @@ void for_each_pixel(const SpotWindow& window, const Disc& disc, See see) {
     for (int column = run.first; column <= run.last; ++column) see(start + static_cast<std::size_t>(column));
   });
 }
+
+/// Sums of a quantity over pixels.
+struct Moments {
+  int sum = 0;
+  int by_column = 0;
+  int by_row = 0;
+
+  void add(int value, int column, int row) {
+    sum += value;
+    by_column += value * column;
+    by_row += value * row;
+  }
+  [[nodiscard]] Vec2 middle() const { return Vec2(by_column, by_row) / sum; }
+};
 
 }  // namespace
 
@@ -121,14 +136,21 @@ double redness_of_flank(const SpotWindow& window, const Area& area, const Surrou
   return red / (std::max(luma, 0) + 0.5 * pixels);
 }
 
-double emission_of_area(const SpotWindow& window, const Flood& flood, const Surround& around) {
-  int luma = 0;
+AreaLight light_of_area(const SpotWindow& window, const Flood& flood, const Surround& around) {
   int strength = 0;
+  Moments luma;
+  Moments red;
   for (const std::uint16_t i : flood.area()) {
-    luma += window.luma(i) - around.luma;
+    const int column = i % SpotWindow::kStride;
+    const int row = i / SpotWindow::kStride;
     strength += window.strength(i) - around.strength;
+    luma.add(window.luma(i) - around.luma, column, row);
+    red.add(window.red(i) - around.red, column, row);
   }
-  return strength > 0 ? static_cast<double>(luma) / strength : 0.0;
+  if (strength <= 0) return {};
+  AreaLight light{.emission = static_cast<double>(luma.sum) / strength};
+  if (luma.sum > 0 && red.sum > 0) light.parting_px = (luma.middle() - red.middle()).norm();
+  return light;
 }
 
 }  // namespace tripoint

@@ -35,7 +35,11 @@ int background_of(const SpotWindow& window, const SpotWindow::Part& part);
 /// Redness dV/dY over the flank: 12 to 85 % of the contrast, and above the pattern of the ground.
 double redness_of_flank(const SpotWindow& window, const Area& area, const Surround& around, int peak);
 
-/// dY/dS over the area that `flood` holds.
-double emission_of_area(const SpotWindow& window, const Flood& flood, const Surround& around);
+/// What the area that `flood` holds sends out, above its surroundings.
+struct AreaLight {
+  double emission = 0.0;    ///< dY/dS
+  double parting_px = 0.0;  ///< from the middle of its luma to the middle of its red
+};
+AreaLight light_of_area(const SpotWindow& window, const Flood& flood, const Surround& around);
 
 }  // namespace tripoint

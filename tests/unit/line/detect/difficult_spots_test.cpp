@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <utility>
 
 #include "bench/painter.h"
 #include "led_sight.h"
@@ -13,6 +15,7 @@ namespace tripoint {
 namespace {
 
 using bench::Ellipse;
+using bench::kWhite;
 using bench::Light;
 using bench::Painting;
 using test::chi2;
@@ -103,6 +106,31 @@ TEST(DifficultSpotsTest, MergedLedsMeasuredAsOneAreStatedSoWideThatEitherMayBeIt
   }
   EXPECT_GT(measured, 40);  // of 60
   EXPECT_GE(within_95, 0.95 * measured);
+}
+
+// A white highlight draws the centre of the luma away; the LED's red stays where it is.
+TEST(DifficultSpotsTest, LedBesideAWhiteHighlightIsRefusedOrCoveredByItsCovariance) {
+  const RawPixel at{300.2, 200.4};
+  int measured = 0;
+  for (const double apart_px : {2.0, 3.0}) {
+    for (const auto& [peak, white] : {std::pair{1.0, 0.2}, {1.5, 0.4}}) {
+      for (const int eighth : {0, 2, 5, 6, 7}) {
+        const double angle_rad = eighth * std::numbers::pi / 4.0;
+        Painting painting(kSize, 0.02);
+        painting.add(Light{.at = at, .sigma_px = 1.3, .peak = peak});
+        painting.add(Light{.at = {at.u_px + apart_px * std::cos(angle_rad), at.v_px + apart_px * std::sin(angle_rad)},
+                           .sigma_px = 1.0,
+                           .peak = white,
+                           .color = kWhite});
+        const Seen seen = seen_in(painting);
+        for (const ImagePoint& point : seen.detection.points) {
+          EXPECT_LT(chi2(point, at), kChi2Limit) << apart_px << " px, " << white << ", eighth " << eighth;
+          ++measured;
+        }
+      }
+    }
+  }
+  EXPECT_GE(measured, 4);
 }
 
 TEST(DifficultSpotsTest, LedWhoseCentreShowsIsRefusedOrCoveredByItsCovariance) {
