@@ -13,6 +13,7 @@
 #include "sim/simulated_camera.h"
 #include "sim/trajectory.h"
 #include "sim/world.h"
+#include "tags/tag_print.h"
 
 namespace tripoint {
 namespace {
@@ -73,7 +74,32 @@ void add_red_lamps(Scene& scene, int count) {
   for (int i = 0; i < count; ++i) scene.lights.push_back(fixed_lamp(scene, places_mm[static_cast<std::size_t>(i)]));
 }
 
-Result<SimulationSettings> simulation_settings(const Config& config, const Target& target) {
+/// On paper, where its corners say.
+Result<PrintedTag> printed(const TargetTag& tag, std::string_view family) {
+  const auto& corners_mm = tag.corners_mm;  // lower left, lower right, upper right, upper left
+  const Vec3 right_mm = corners_mm[1] - corners_mm[0];
+  const Vec3 down_mm = corners_mm[0] - corners_mm[3];
+  return tag_print(family, tag.id).map([&](const TagCells& cells) {
+    PrintedTag print{.id = tag.id, .cells = cells, .size_mm = right_mm.norm()};
+    print.target_from_tag.linear() << right_mm.normalized(), down_mm.normalized(), right_mm.cross(down_mm).normalized();
+    print.target_from_tag.translation() = 0.5 * (corners_mm[0] + corners_mm[2]);
+    return print;
+  });
+}
+
+/// The target's LEDs or tags before a wall.
+Result<Scene> scene_of(const MeasuredTarget& target, const SimulationConfig& wanted) {
+  if (target.target.tags.empty()) return led_scene(led_places_mm(target.target), wanted.led_peak);
+  Scene scene;
+  for (const TargetTag& tag : target.target.tags) {
+    Result<PrintedTag> print = printed(tag, target.tag_family);
+    if (!print) return tl::make_unexpected(print.error());
+    scene.tags.push_back(*std::move(print));
+  }
+  return scene;
+}
+
+Result<SimulationSettings> simulation_settings(const Config& config, const MeasuredTarget& target) {
   const SimulationConfig& wanted = config.simulation;
   const Result<Trajectory> trajectory = wanted.trajectory_file.empty()
                                             ? Result<Trajectory>(trajectory_of(wanted.scenario))
@@ -95,7 +121,9 @@ Result<SimulationSettings> simulation_settings(const Config& config, const Targe
   settings.clocks.right.phase = duration_from_seconds(wanted.right_phase_ms * 1e-3);
   settings.clocks.right.drift_ppm = -wanted.clock_drift_ppm / 2.0;
   settings.seed = wanted.seed;
-  settings.scene = led_scene(led_places_mm(target), wanted.led_peak);
+  Result<Scene> scene = scene_of(target, wanted);
+  if (!scene) return tl::make_unexpected(named_by(config, "target.file", scene.error()));
+  settings.scene = *std::move(scene);
   add_red_lamps(settings.scene, wanted.red_lamps);
   if (config.datum) settings.scene.lights.push_back(fixed_lamp(settings.scene, config.datum->position_mm));
   settings.scene.white_level = wanted.white_level;
@@ -168,20 +196,12 @@ PerSide<OpenCamera> real_cameras(const Config& config, const Clock& clock) {
   return {open(Side::kLeft), open(Side::kRight)};
 }
 
-Error no_simulated_tags(const Config& config) {
-  return named_by(config, "cameras.source",
-                  {ErrorCode::kMismatch,
-                   "\"simulation\" shows LEDs: with a target of AprilTags permitted is \"v4l2\" or "
-                   "\"recording\""});
-}
-
 }  // namespace
 
-Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& target, const Clock& clock,
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const MeasuredTarget& target, const Clock& clock,
                                           const SimulatedLeds* switched) {
   switch (config.cameras.source) {
     case CameraSource::kSimulation:
-      if (!target.tags.empty()) return tl::make_unexpected(no_simulated_tags(config));
       return simulation_settings(config, target).and_then([&](SimulationSettings settings) {
         if (switched != nullptr) settings.lit_share = lit_share_of(*switched, clock, config.simulation.led_lines);
         return simulated_cameras(settings, clock);
@@ -196,7 +216,7 @@ Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& ta
 
 Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, const Clock& clock,
                                                       const Vec3& place_in_reference_mm) {
-  return simulation_settings(config, Target{}).and_then([&](SimulationSettings settings) {
+  return simulation_settings(config, MeasuredTarget{}).and_then([&](SimulationSettings settings) {
     settings.trajectory.reference_from_target = [place_in_reference_mm](double /*second*/) {
       Isometry3 pose = Isometry3::Identity();
       pose.translation() = place_in_reference_mm;
@@ -207,8 +227,8 @@ Result<PerSide<OpenCamera>> simulated_cameras_showing(const Config& config, cons
 }
 
 Result<PerSide<OpenCamera>> cameras_before_board(const Config& config, const Clock& clock) {
-  if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, Target{}, clock);
-  return simulation_settings(config, Target{}).and_then([&](SimulationSettings settings) {
+  if (config.cameras.source != CameraSource::kSimulation) return camera_supply(config, MeasuredTarget{}, clock);
+  return simulation_settings(config, MeasuredTarget{}).and_then([&](SimulationSettings settings) {
     settings.scene.lights.clear();
     settings.scene.board.emplace().reference_from_board.translation() =
         0.5 * (config.volume.min_mm + config.volume.max_mm);

@@ -1,11 +1,12 @@
 // Where pictures come from: the only place that picks real, simulated or recorded cameras.
 #pragma once
 
+#include "app/measured_target.h"
 #include "capture/camera_worker.h"
 #include "config/config.h"
-#include "line/model.h"
 #include "ports/clock.h"
 #include "sim/simulated_leds.h"
+#include "values/linear.h"
 #include "values/result.h"
 #include "values/side.h"
 
@@ -13,12 +14,13 @@ namespace tripoint {
 
 /// How to open each camera, again and again.
 ///
-/// @param target    whose LEDs a simulation shows
+/// @param target    whose LEDs or tags a simulation shows
 /// @param clock     must outlive the cameras
 /// @param switched  lines that switch the LEDs of a simulation, and outlive the cameras; null: they are always lit
-/// @return errors of a simulation's trajectory or a recording's folder; a real camera that is absent is not an error
+/// @return errors of a simulation's trajectory or tags, or of a recording's folder; a real camera that is absent is not
+/// an error
 ///   here: its worker keeps trying
-Result<PerSide<OpenCamera>> camera_supply(const Config& config, const Target& target, const Clock& clock,
+Result<PerSide<OpenCamera>> camera_supply(const Config& config, const MeasuredTarget& target, const Clock& clock,
                                           const SimulatedLeds* switched = nullptr);
 
 /// Simulated cameras that see a single LED held still at this place of the reference frame.

@@ -103,7 +103,7 @@ Result<void> run_unit(const Config& config, const std::function<void()>& until_s
   if (config.modulation.enabled) modulation.emplace(config.modulation, setup->target.target, unit.clock);
   const auto sift = [&](Side side) { return modulation ? modulation->sift(side) : SiftPoints{}; };
   Result<PerSide<OpenCamera>> cameras =
-      camera_supply(config, setup->target.target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
+      camera_supply(config, setup->target, unit.clock, modulation ? &modulation->simulated_leds() : nullptr);
   if (!cameras) return tl::make_unexpected(cameras.error());
   Result<DetectPoints> detect_left = detection_of(config.detector, setup->target);
   Result<DetectPoints> detect_right = detection_of(config.detector, setup->target);

@@ -212,7 +212,7 @@ int expose_command(const ExposeOptions& options) {
   return expose_for_measuring(options, *config, *leds, [&clock](const Config& wanted, double z_mm) {
     return wanted.cameras.source == CameraSource::kSimulation
                ? simulated_cameras_showing(wanted, clock, Vec3(0.0, 0.0, z_mm))
-               : camera_supply(wanted, Target{}, clock);
+               : camera_supply(wanted, MeasuredTarget{}, clock);
   });
 }
 

@@ -74,7 +74,7 @@ int check_config_command(const std::filesystem::path& config_file, const std::ve
   const Result<UnitSetup> setup = unit_setup(*config);
   if (!setup) return report(setup.error());
   const SystemClock clock;
-  const Result<PerSide<OpenCamera>> cameras = camera_supply(*config, setup->target.target, clock);
+  const Result<PerSide<OpenCamera>> cameras = camera_supply(*config, setup->target, clock);
   if (!cameras) return report(cameras.error());
   fmt::print("{}: valid; setup {}, {}\n", config_file.string(), setup_text(setup->constants.identity.setup),
              setup->calibration ? "calibrated" : "no calibration: nothing will be measured");

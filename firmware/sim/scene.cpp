@@ -31,7 +31,7 @@ Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak) {
 }
 
 LightSource fixed_lamp(const Scene& scene, const Vec3& place_in_reference_mm) {
-  LightSource lamp = scene.lights.front();
+  LightSource lamp = scene.lights.empty() ? LightSource{} : scene.lights.front();
   lamp.id = 0;
   lamp.mount = Mount::kReference;
   lamp.place_mm = place_in_reference_mm;

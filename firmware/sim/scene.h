@@ -92,7 +92,8 @@ struct Scene {
 /// LEDs with ids 1, 2, ... and lines 0, 1, ... at these places of the target, before a textured grey wall.
 Scene led_scene(const std::vector<Vec3>& places_in_target_mm, double peak = 1.5);
 
-/// Like the scene's first LED, always lit, and at rest in the reference frame: no part of the target.
+/// Like the scene's first LED, or any where it has none; always lit, and at rest in the reference frame: no part of the
+/// target.
 LightSource fixed_lamp(const Scene& scene, const Vec3& place_in_reference_mm);
 
 }  // namespace tripoint
