@@ -5,6 +5,7 @@ SHELL := /bin/bash
 
 DEMO_SECONDS ?= 0
 MODBUS_PORT  ?= 1502
+MODE         ?= led
 FUZZ_SECONDS ?= 20
 JOBS         ?= $(shell nproc)
 RUN          := build/host-venv/bin
@@ -30,8 +31,8 @@ build: setup ## build tripointd and host-tool into build/bin
 	@ln -sfn ../release/bin/tripoint-render build/bin/tripoint-render
 
 .PHONY: demo
-demo: build ## watch a measured pose follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself)
-	@deploy/dev/demo $(MODBUS_PORT) $(DEMO_SECONDS)
+demo: build ## watch a measured pose follow the truth on simulated cameras (DEMO_SECONDS=20 ends by itself; MODE=apriltag: tags)
+	@deploy/dev/demo $(MODBUS_PORT) $(DEMO_SECONDS) $(MODE)
 
 .PHONY: check
 check: setup ## the quick loop: format, lint, types, layers, sizes, register map
