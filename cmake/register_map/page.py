@@ -29,7 +29,7 @@ CLIENT = """\
 2. Every 20 to 100 ms: one FC 3 for 32 to 147 (116 registers: state and pose in one answer).
 3. Take the pose only if the answer came in time; 100 = 147; (101 AND 16#021C) = 16#000C, or for position alone
    (101 AND 16#0214) = 16#0004; 146 = the stored setup; age + own round trip and the uncertainties are under the
-   application's limits. Where the rig stands free or the calibration must be verified: mask 16#621C = 16#600C.
+   application's limits. Where a datum watches the rig and the calibration must be verified: mask 16#621C = 16#600C.
    A new sample is a sequence other than the last (compare for unequal, it wraps).
 4. Own timer: heartbeat unchanged for 500 ms is a communication fault, whatever the bits say. This also catches a
    gateway or proxy that answers from its cache. A new sequence is no heartbeat: a lost or returned camera, or stamps

@@ -26,6 +26,9 @@ VolumeConfig volume_from(TableReader table) {
   return volume;
 }
 
+/// Of `uncertainty_mm`: the alarm begins beyond 5.7 standard deviations, of which that is two.
+constexpr double kLeastRadius = 6.0 * (1.0 - 1e-9);  // 0.2 six times is no more than 1.2
+
 std::optional<DatumConfig> datum_from(TableReader& root, const Config& config) {
   const bool given = root.has("datum");
   TableReader table = root.table("datum");
@@ -34,8 +37,10 @@ std::optional<DatumConfig> datum_from(TableReader& root, const Config& config) {
   datum.position_mm = table.vec3("position_mm", {-100'000.0, 100'000.0});
   datum.uncertainty_mm = table.number("uncertainty_mm", {0.001, 100.0});
   datum.radius_mm = table.number("radius_mm", {0.1, 1000.0});
-  if (datum.radius_mm <= datum.uncertainty_mm) {
-    table.refuse("radius_mm", "permitted is more than uncertainty_mm: the datum itself must lie within it");
+  if (datum.radius_mm < kLeastRadius * datum.uncertainty_mm) {
+    table.refuse("radius_mm",
+                 "permitted is six times uncertainty_mm and more: a knock is noticed from half of that on, and "
+                 "only within the radius");
   }
   if (config.detector.kind != ConfiguredDetector::kLed) {
     table.refuse("position_mm",

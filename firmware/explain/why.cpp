@@ -19,7 +19,7 @@ struct Comparison {
   int decimals = 0;
 };
 
-std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, const Candidate& candidate) {
+std::array<Comparison, 12> comparisons_of(const LedDetectorSettings& settings, const Candidate& candidate) {
   const double surface = static_cast<double>(candidate.red_surface) + settings.min_over_surface;
   return {
       {{DropCause::kDim, "peak", &Candidate::peak, static_cast<double>(candidate.needed_peak), 0},
@@ -29,6 +29,8 @@ std::array<Comparison, 11> comparisons_of(const LedDetectorSettings& settings, c
        {DropCause::kNotRedder, "red step", &Candidate::red_step, static_cast<double>(settings.min_red_step), 0},
        {DropCause::kNotRed, "redness", &Candidate::redness, settings.min_redness, 2},
        {DropCause::kNotEmitting, "emission", &Candidate::emission, settings.min_emission, 2},
+       {DropCause::kTwoLights, "parting px", &Candidate::parting_px,
+        static_cast<double>(most_parting_px(candidate.radius_px)), 1},
        {DropCause::kPoorFit, "residual", &Candidate::residual, settings.max_residual, 2},
        {DropCause::kOtherHue, "hue", &Candidate::hue, settings.max_hue, 2},
        {DropCause::kRedSurface, "peak", &Candidate::peak, surface, 0},

@@ -1,6 +1,7 @@
 // Every place the detector looked at, and why it was kept or dropped.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,7 @@ enum class DropCause : std::uint8_t {
   kNotRedder,     ///< not redder than its surroundings
   kNotRed,        ///< the flank is white or warm, not red
   kNotEmitting,   ///< a red thing that reflects, not one that shines
+  kTwoLights,     ///< the middle of its light lies elsewhere than that of its red
   kFitFailed,     ///< too few visible pixels, or the fit left the spot
   kPoorFit,       ///< not a Gaussian: partly hidden, merged, or a patch with a flat top
   kWrongSize,     ///< sigma out of range
@@ -41,11 +43,11 @@ enum class DropCause : std::uint8_t {
   kNotFilled,      ///< too little of the circle is red
   kSprawling,      ///< the red area goes on beyond the circle: overlapping spheres, or a larger thing
 };
-inline constexpr std::array<std::string_view, 27> kDropCauseNames{
-    "kept",      "seen_before", "dim",          "no_falloff",     "no_contrast",   "too_large",    "too_small",
-    "elongated", "no_surround", "crowded",      "not_redder",     "not_red",       "not_emitting", "fit_failed",
-    "poor_fit",  "wrong_size",  "weak",         "cut_by_border",  "wrong_profile", "other_hue",    "red_surface",
-    "no_room",   "beyond_band", "other_radius", "hidden_outline", "not_filled",    "sprawling"};
+inline constexpr std::array<std::string_view, 28> kDropCauseNames{
+    "kept",        "seen_before", "dim",         "no_falloff",   "no_contrast",    "too_large",     "too_small",
+    "elongated",   "no_surround", "crowded",     "not_redder",   "not_red",        "not_emitting",  "two_lights",
+    "fit_failed",  "poor_fit",    "wrong_size",  "weak",         "cut_by_border",  "wrong_profile", "other_hue",
+    "red_surface", "no_room",     "beyond_band", "other_radius", "hidden_outline", "not_filled",    "sprawling"};
 
 constexpr std::string_view name(DropCause cause) { return kDropCauseNames[static_cast<std::size_t>(cause)]; }
 
@@ -85,6 +87,9 @@ struct Candidate {
   float spill = 0.0F;        ///< share of the directions in which the red ends beyond the circle
   float red_surface = 0.0F;  ///< S that a red surface in the light of the picture may have
 };
+
+/// From the middle of a spot's light to that of its red.
+inline float most_parting_px(float radius_px) { return std::max(1.0F, 0.5F * radius_px); }
 
 /// Room for every candidate and for a second look beside each accepted one.
 inline constexpr std::size_t kMaxCandidates = 256;

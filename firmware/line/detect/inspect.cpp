@@ -199,8 +199,10 @@ DropCause Inspector::compare_with_surround(const Picture& picture) {
   if (seen_.redness < static_cast<float>(settings_.min_redness)) return DropCause::kNotRed;
   const AreaLight light = light_of_area(window_, flood_, around_);
   seen_.emission = static_cast<float>(light.emission);
+  if (seen_.emission < static_cast<float>(settings_.min_emission)) return DropCause::kNotEmitting;
+  if (settings_.min_emission < 0.0) return DropCause::kKept;  // what takes luma away has no middle of its light
   seen_.parting_px = static_cast<float>(light.parting_px);
-  return seen_.emission < static_cast<float>(settings_.min_emission) ? DropCause::kNotEmitting : DropCause::kKept;
+  return seen_.parting_px > most_parting_px(seen_.radius_px) ? DropCause::kTwoLights : DropCause::kKept;
 }
 
 DropCause Inspector::fit(const Picture& picture) {

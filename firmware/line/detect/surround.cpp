@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 #include "line/detect/disc.h"
@@ -149,7 +150,8 @@ AreaLight light_of_area(const SpotWindow& window, const Flood& flood, const Surr
   }
   if (strength <= 0) return {};
   AreaLight light{.emission = static_cast<double>(luma.sum) / strength};
-  if (luma.sum > 0 && red.sum > 0) light.parting_px = (luma.middle() - red.middle()).norm();
+  light.parting_px =
+      luma.sum > 0 && red.sum > 0 ? (luma.middle() - red.middle()).norm() : std::numeric_limits<double>::infinity();
   return light;
 }
 

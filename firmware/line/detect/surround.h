@@ -38,7 +38,7 @@ double redness_of_flank(const SpotWindow& window, const Area& area, const Surrou
 /// What the area that `flood` holds sends out, above its surroundings.
 struct AreaLight {
   double emission = 0.0;    ///< dY/dS
-  double parting_px = 0.0;  ///< from the middle of its luma to the middle of its red
+  double parting_px = 0.0;  ///< from the middle of its luma to the middle of its red; infinite where it has no luma
 };
 AreaLight light_of_area(const SpotWindow& window, const Flood& flood, const Surround& around);
 

@@ -47,7 +47,7 @@ std::optional<View> view_of(const Pair& datum, const LineModel& model) {
 void DatumWatch::learn(const Pair& datum, TimePoint at, const LineModel& model) {
   const std::optional<View> view = view_of(datum, model);
   if (!view) return;
-  if (at > newest_ + kFindingShown) views_ = 0;  // what was seen before is no news
+  if (at > newest_ + kPause) views_ = 0;  // a datum that shows now and then says little of now
   newest_ = at;
   views_ = std::min(views_ + 1, kMemory);
   offset_ += (view->offset - offset_) / views_;
@@ -74,6 +74,10 @@ void DatumWatch::judge() {
 std::optional<double> DatumWatch::moved_mm(TimePoint at) const {
   if (views_ < kLeastViews || at > newest_ + kFindingShown) return std::nullopt;
   return offset_.head<3>().norm();
+}
+
+bool DatumWatch::watched(TimePoint at) const {
+  return views_ >= kLeastViews && at >= newest_ - kPause && at <= newest_ + kPause && !alarm_;
 }
 
 }  // namespace tripoint

@@ -27,8 +27,11 @@ class DatumWatch {
   /// How far beside its place it is seen, mean over the newest views; absent when they are too few, or old at this
   /// time.
   [[nodiscard]] std::optional<double> moved_mm(TimePoint at) const;
+  /// Whether it was seen up to this time, but for a few pictures, and is no alarm.
+  [[nodiscard]] bool watched(TimePoint at) const;
 
-  static constexpr int kLeastViews = 4;  ///< before anything is judged
+  static constexpr int kLeastViews = 4;                               ///< before anything is judged
+  static constexpr Duration kPause = std::chrono::milliseconds(300);  ///< without a view: watching begins anew
 
  private:
   /// Of the datum in the rig, mm, against its place, and its epipolar distance, px.

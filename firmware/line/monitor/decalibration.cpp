@@ -110,8 +110,8 @@ Measurement Decalibration::judged(Measurement measurement) const {
   }
   if (const std::optional<double> datum_mm = datum_.moved_mm(measurement.exposed)) {
     measurement.decalibration_mm = std::max(measurement.decalibration_mm.value_or(0.0), *datum_mm);
-    measurement.mount_watched = measurement.common_time && !datum_.alarm();
   }
+  measurement.mount_watched = measurement.common_time && datum_.watched(measurement.exposed);
   if (found_.alarm || datum_.alarm()) {
     measurement.faults.insert(Fault::kDecalibration);
     measurement.pose.reset();

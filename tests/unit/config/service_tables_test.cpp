@@ -57,8 +57,8 @@ TEST(DatumConfigTest, WhatNoDatumHasIsRefused) {
   EXPECT_THAT(message_with_datum_and("datum.position_mm=[0, 700]"), HasSubstr("permitted is 3 numbers"));
   EXPECT_THAT(message_with_datum_and("datum.uncertainty_mm=0"), HasSubstr("from 0.001 to 100"));
   EXPECT_THAT(message_with_datum_and("datum.radius_mm=inf"), HasSubstr("from 0.1 to 1000"));
-  EXPECT_THAT(message_with_datum_and("datum.radius_mm=0.2"), HasSubstr("permitted is more than uncertainty_mm"));
-  EXPECT_EQ(message_with_datum_and("datum.radius_mm=0.21"), "");
+  EXPECT_THAT(message_with_datum_and("datum.radius_mm=1.19"), HasSubstr("permitted is six times uncertainty_mm"));
+  EXPECT_EQ(message_with_datum_and("datum.radius_mm=1.2"), "");
 }
 
 TEST(DatumConfigTest, ItIsAnLedThatIsLitAllTheTime) {

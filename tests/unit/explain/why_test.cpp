@@ -44,6 +44,7 @@ TEST(WhyTest, ContrastStandsAgainstWhatTheNoiseDemanded) {
 TEST(WhyTest, TheLimitIsThatOfTheSettings) {
   LedDetectorSettings settings;
   settings.min_emission = -0.1;
+  EXPECT_EQ(why(with(DropCause::kTwoLights, &Candidate::parting_px, 2.25F), settings, 640), "parting px 2.2 > 1.0");
   EXPECT_EQ(why(with(DropCause::kNotEmitting, &Candidate::emission, -0.25F), settings, 640), "emission -0.25 < -0.10");
 }
 

@@ -90,6 +90,25 @@ TEST(RefusalTest, SmallRedThingOnALighterGroundDoesNotEmit) {
   expect_refused(Ellipse{{301.0, 199.0}, 6.0, 6.0, {0.6, 0.03, 0.03}}, 0.5, "red dot");
 }
 
+// Its luma hardly differs from the ground's, and no middle of it can be told: the place would be stated to tens of
+// pixels.
+TEST(RefusalTest, SmallRedThingAsLightAsItsGroundHasNoMiddle) {
+  int of_two_lights = 0;
+  for (int step = 0; step <= 20; ++step) {
+    const double ground = 0.070 + 0.0005 * step;
+    std::mt19937 random(static_cast<std::uint32_t>(step));
+    Painting painting(kSize, ground);
+    painting.add(Ellipse{{301.0, 199.0}, 3.0, 3.0, Color{0.95, 0.0, 0.0}});
+    LedDetector detector{LedDetectorSettings{}};
+    const auto picture = painting.develop({}, random);
+    for (const ImagePoint& point : detector.detect(picture.view(), {}).points) {
+      EXPECT_LT(point.covariance_px2.trace(), 2.0 * 9.0) << ground << ": " << causes(detector);
+    }
+    of_two_lights += causes(detector).find("two_lights") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(of_two_lights, 0);
+}
+
 TEST(RefusalTest, WideHaloIsRefused) {
   expect_refused(Light{.at = {300.3, 200.7}, .sigma_px = 30.0, .peak = 3.0}, 0.02, "halo");
 }

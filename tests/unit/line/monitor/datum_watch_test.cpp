@@ -149,12 +149,23 @@ TEST_F(DatumWatchTest, ADatumThatGoesOutEndsNoAlarm) {
 
 TEST_F(DatumWatchTest, ADatumThatGoesOutIsNoFaultButWatchesNoMore) {
   see(kUpright, 60);
-  see_no_light(60);
+  see_no_light(9);
   EXPECT_TRUE(judged().mount_watched);
-  see_no_light(2);
+  see_no_light(1);
   EXPECT_FALSE(judged().mount_watched);
+  see_no_light(50);
+  EXPECT_TRUE(judged().decalibration_mm);
+  see_no_light(2);
   EXPECT_FALSE(judged().decalibration_mm);
   EXPECT_FALSE(alarmed());
+}
+
+TEST_F(DatumWatchTest, ADatumThatShowsNowAndThenWatchesNothing) {
+  for (int glimpse = 0; glimpse < 20; ++glimpse) {
+    see(kUpright, 1);
+    see_no_light(20);
+    EXPECT_FALSE(judged().mount_watched) << glimpse;
+  }
 }
 
 TEST_F(DatumWatchTest, WithoutACommonTimeNothingIsWatched) {
