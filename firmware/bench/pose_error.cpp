@@ -35,7 +35,9 @@ double tail_beyond(const PoseError& pose) {
 }
 
 bool is_wrong(const PoseError& pose) {
-  return (pose.position_mm() > kWrong_mm || pose.angle_rad() > kWrong_rad) && tail_beyond(pose) < kNotNoise;
+  const bool near = pose.position_mm() <= kWrong_mm && pose.angle_rad() <= kWrong_rad;
+  const bool noise = pose.chi2 >= 0.0 && tail_beyond(pose) >= kNotNoise;  // no covariance at all is no excuse
+  return !near && !noise;
 }
 
 }  // namespace tripoint::bench

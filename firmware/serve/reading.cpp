@@ -67,6 +67,8 @@ std::optional<PoseNumbers> pose_if(bool shown, const Measurement& measurement) {
 /// The copy that may be shown now, or null.
 const LatchedCopy* valid_copy(const UnitState& state, const Latch& latch, TimePoint now) {
   if (latch.outcome != LatchOutcome::kFilled || latch.copy == nullptr) return nullptr;
+  // A knock takes time to be noticed: the copy may have been measured after it.
+  if (state.newest && state.newest->measurement.faults.contains(Fault::kDecalibration)) return nullptr;
   const bool held = now - latch.copy->published.measurement.exposed <= state.limits.latch_hold;
   return held && latch.copy->setup == state.identity.setup ? latch.copy.get() : nullptr;
 }

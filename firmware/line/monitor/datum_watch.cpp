@@ -3,8 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "geometry/triangulation.h"
-#include "line/match/epipolar.h"
+#include "line/monitor/pair_evidence.h"
 #include "line/monitor/turn_evidence.h"
 
 namespace tripoint {
@@ -14,6 +13,8 @@ constexpr int kMemory = 10;  // views: a third of a second
 // Chi-square with four degrees of freedom: above once in 800,000 units, and in 5,000.
 constexpr double kAlarm = 33.0;
 constexpr double kExcluded = 22.0;
+// Between two pictures a point is stated with down to half of a picture's variance; at rest it errs alike in both.
+constexpr double kAtRest = 2.0;
 
 struct View {
   Eigen::Vector4d offset = Eigen::Vector4d::Zero();
@@ -22,22 +23,18 @@ struct View {
 
 /// Nothing when the rays do not meet in front of both cameras or no number comes out.
 std::optional<View> view_of(const Pair& datum, const LineModel& model) {
-  const PerSide<MeasuredPixel> pixels{{datum.points.left.seen.at, datum.points.left.seen.covariance_px2},
-                                      {datum.points.right.seen.at, datum.points.right.seen.covariance_px2}};
-  const Result<TriangulatedPoint> place = triangulated(model.rig, pixels, model.limits.min_angle_rad);
-  const std::optional<EpipolarGate> epipolar = epipolar_gate(model, pixels);
-  const auto gradient = epipolar_calibration_gradient(model.calibration, {pixels.left.at, pixels.right.at});
-  if (!place || !epipolar || !gradient) return std::nullopt;
+  const std::optional<PairEvidence> seen = pair_evidence(datum, model);
+  if (!seen) return std::nullopt;
   Eigen::Matrix<double, 4, 24> by_calibration;
-  by_calibration << calibration_jacobian(model.calibration, pixels), gradient->transpose();
+  by_calibration << seen->place_by_calibration, seen->epipolar_by_calibration.transpose();
   const Eigen::Matrix<double, 4, 24> calibration = by_calibration.lazyProduct(covariance_or_usual(model));
   const double own_mm = model.datum->uncertainty_mm / 2.0;
 
   View view;
-  view.offset << place->in_rig_mm - model.datum->in_rig_mm, epipolar->distance_px;
+  view.offset << seen->place.in_rig_mm - model.datum->in_rig_mm, seen->epipolar.distance_px;
   view.covariance = calibration.lazyProduct(by_calibration.transpose());
-  view.covariance.topLeftCorner<3, 3>() += place->covariance_mm2 + own_mm * own_mm * Matrix3::Identity();
-  view.covariance(3, 3) += epipolar->noise_px2;
+  view.covariance.topLeftCorner<3, 3>() += kAtRest * seen->place.covariance_mm2 + own_mm * own_mm * Matrix3::Identity();
+  view.covariance(3, 3) += kAtRest * seen->epipolar.noise_px2;
   if (!view.offset.allFinite() || !view.covariance.allFinite()) return std::nullopt;
   return view;
 }

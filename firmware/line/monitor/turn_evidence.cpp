@@ -4,8 +4,7 @@
 #include <Eigen/LU>
 
 #include "geometry/rigid_fit.h"
-#include "geometry/triangulation.h"
-#include "line/match/epipolar.h"
+#include "line/monitor/pair_evidence.h"
 #include "line/pose/timing_part.h"
 #include "values/fixed_vector.h"
 
@@ -65,23 +64,18 @@ ByClocks moved_by_clocks(const Pair& pair, const PerSide<MeasuredPixel>& pixels,
 std::optional<WatchedPoint> watched(const Pair& pair, const Vec3& in_target_mm, const LineModel& model,
                                     const Eigen::Matrix<double, 6, 3>& by_turn) {
   if (!timed_well(pair.points.left) || !timed_well(pair.points.right)) return std::nullopt;
-  const PerSide<MeasuredPixel> pixels{{pair.points.left.seen.at, pair.points.left.seen.covariance_px2},
-                                      {pair.points.right.seen.at, pair.points.right.seen.covariance_px2}};
-  const Result<TriangulatedPoint> place = triangulated(model.rig, pixels, model.limits.min_angle_rad);
-  const std::optional<EpipolarGate> epipolar = epipolar_gate(model, pixels);
-  const auto gradient = epipolar_calibration_gradient(model.calibration, {pixels.left.at, pixels.right.at});
-  if (!place || !epipolar || !gradient) return std::nullopt;
-  const Eigen::Matrix<double, 3, 24> jacobian = calibration_jacobian(model.calibration, pixels);
+  const std::optional<PairEvidence> seen = pair_evidence(pair, model);
+  if (!seen) return std::nullopt;
   return WatchedPoint{in_target_mm,
-                      place->in_rig_mm,
-                      place->covariance_mm2.inverse(),
-                      epipolar->distance_px,
-                      1.0 / epipolar->noise_px2,
-                      jacobian,
-                      *gradient,
-                      jacobian.rightCols<6>() * by_turn,
-                      by_turn.transpose() * gradient->tail<6>(),
-                      moved_by_clocks(pair, pixels, *place, model.rig)};
+                      seen->place.in_rig_mm,
+                      seen->place.covariance_mm2.inverse(),
+                      seen->epipolar.distance_px,
+                      1.0 / seen->epipolar.noise_px2,
+                      seen->place_by_calibration,
+                      seen->epipolar_by_calibration,
+                      seen->place_by_calibration.rightCols<6>() * by_turn,
+                      by_turn.transpose() * seen->epipolar_by_calibration.tail<6>(),
+                      moved_by_clocks(pair, seen->pixels, seen->place, model.rig)};
 }
 
 /// The pose of three points, which the eliminated pose is linear around.

@@ -70,7 +70,9 @@ RowsByRows own_covariance_px2(Points points, const LineModel& model) {
       by_place.middleRows<2>(first_row(side)) =
           projection_jacobian_px_per_mm(model.rig.cameras[side], camera_from_rig * point.place.in_rig_mm) *
           camera_from_rig.linear();
-      covariance.block<2, 2>(row, row) += point.pixels[side].covariance_px2;
+      const Matrix2& clocks_root_px = point.clocks_root_px[side];  // all points share them: `by_shared`
+      covariance.block<2, 2>(row, row) +=
+          point.pixels[side].covariance_px2 - clocks_root_px * clocks_root_px.transpose();
       if (!point.next) continue;
       const Eigen::Index next = row_of((i + 1) % points.size()) + first_row(side);
       covariance.block<2, 2>(row, next) += point.shared_with_next_px2[side];

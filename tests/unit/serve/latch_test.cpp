@@ -76,6 +76,19 @@ TEST(LatchTest, ANewRequestEmptiesTheCopy) {
   EXPECT_EQ(image[33] & 0x1000, 0);
 }
 
+TEST(LatchedBlockTest, IsNotValidWhileAKnockIsSuspectedThatItMayHaveBeenMeasuredAfter) {
+  const Edition first = latched(unit_state());
+  Measurement knocked = position_measurement(70001);
+  knocked.pose.reset();
+  knocked.faults.insert(Fault::kDecalibration);
+  const Edition edition{std::make_shared<const UnitState>(unit_state(knocked)), first.latch, {}};
+  EXPECT_NE(image_of(first, kExposed)[401] & 0x0004, 0);
+  const RegisterImage image = image_of(edition, kExposed);
+  EXPECT_EQ(image[401] & 0x0004, 0);
+  EXPECT_EQ(u32_at(image, 410), 0x80000000U);
+  EXPECT_EQ(image[33] & 0x1000, 0);
+}
+
 TEST(LatchedBlockTest, HoldsThePoseInBothFormatsWhileTheLiveOneMovesOn) {
   const Edition first = latched(unit_state(position_measurement(7)));
   Measurement moved = position_measurement(8);

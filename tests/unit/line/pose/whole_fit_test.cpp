@@ -15,6 +15,8 @@ namespace tripoint {
 namespace {
 
 constexpr double kTarget_mm = 0.02;  // standard deviation
+constexpr double kClock_s = 0.4e-3;  // likewise, of the right camera's: 0.16 px, many times what the edges err by
+const Vec2 kVelocity_px_per_s(400.0, 60.0);
 const bench::ErrorSources kSources{.spot_px = 0.0, .target_mm = kTarget_mm, .calibration_px = 0.1};
 
 Isometry3 pose() {
@@ -64,10 +66,16 @@ class ErringCorners {
 
   std::vector<LocatedPoint> located_corners(const LineModel& believed) {
     const PerSide<Observation> pictures = seen();
+    const double late_s = kClock_s * std::normal_distribution<double>()(random_);  // of the right picture
     std::vector<LocatedPoint> corners;
     for (std::size_t i = 0; i < pictures.left.points.size(); ++i) {
       Pair pair;
       for (const Side side : kBothSides) pair.points[side].seen = pictures[side].points[i];
+      AlignedPoint& right = pair.points.right;
+      right.seen.at.u_px += late_s * kVelocity_px_per_s.x();
+      right.seen.at.v_px += late_s * kVelocity_px_per_s.y();
+      right.velocity_px_per_s = kVelocity_px_per_s;
+      right.timing_px2 = kClock_s * kClock_s * kVelocity_px_per_s * kVelocity_px_per_s.transpose();
       const TargetTag& tag = believed.target.tags[i / kTagCorners];
       corners.push_back(
           located(pair, {tag.id, tag.corners_mm[i % kTagCorners], tag.uncertainty_mm, std::nullopt}, {}, believed)
