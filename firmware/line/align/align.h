@@ -21,6 +21,7 @@ struct AlignedPoint {
   ImagePoint seen;                        ///< covariance of the place alone, interpolation included
   std::optional<Vec2> velocity_px_per_s;  ///< absent = unknown; timing_px2 then allows for any usual speed
   Matrix2 timing_px2 = Matrix2::Zero();   ///< what time adds: the clocks' unknown offset, in one camera only, and bends
+  double averaging = 1.0;                 ///< that covariance over one picture's: between two pictures down to a half
 };
 
 /// What both cameras saw at one moment.

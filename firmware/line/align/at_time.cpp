@@ -94,6 +94,7 @@ AlignedPoint between(const Track& track, const StampClock& clock, const Sample& 
   AlignedPoint point{track.picture(late.back).points[late.index], std::nullopt, Matrix2::Zero()};
   const Vec2 place = (1.0 - share) * early.place_px + share * late.place_px;
   point.seen.at = {place.x(), place.y()};
+  point.averaging = (1.0 - share) * (1.0 - share) + share * share;
   point.seen.covariance_px2 =
       (1.0 - share) * (1.0 - share) * before.covariance_px2 + share * share * point.seen.covariance_px2;
   point.seen.shared_with_next_px2 =

@@ -13,17 +13,21 @@ constexpr int kMemory = 10;  // views: a third of a second
 // Chi-square with four degrees of freedom: above once in 800,000 units, and in 5,000.
 constexpr double kAlarm = 33.0;
 constexpr double kExcluded = 22.0;
-// Between two pictures a point is stated with down to half of a picture's variance; at rest it errs alike in both.
-constexpr double kAtRest = 2.0;
 
 struct View {
   Eigen::Vector4d offset = Eigen::Vector4d::Zero();
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
 };
 
+/// With the covariance of one picture: at rest an LED errs alike in the two pictures that its place lies between.
+Pair at_rest(Pair datum) {
+  for (const Side side : kBothSides) datum.points[side].seen.covariance_px2 /= datum.points[side].averaging;
+  return datum;
+}
+
 /// Nothing when the rays do not meet in front of both cameras or no number comes out.
 std::optional<View> view_of(const Pair& datum, const LineModel& model) {
-  const std::optional<PairEvidence> seen = pair_evidence(datum, model);
+  const std::optional<PairEvidence> seen = pair_evidence(at_rest(datum), model);
   if (!seen) return std::nullopt;
   Eigen::Matrix<double, 4, 24> by_calibration;
   by_calibration << seen->place_by_calibration, seen->epipolar_by_calibration.transpose();
@@ -33,8 +37,8 @@ std::optional<View> view_of(const Pair& datum, const LineModel& model) {
   View view;
   view.offset << seen->place.in_rig_mm - model.datum->in_rig_mm, seen->epipolar.distance_px;
   view.covariance = calibration.lazyProduct(by_calibration.transpose());
-  view.covariance.topLeftCorner<3, 3>() += kAtRest * seen->place.covariance_mm2 + own_mm * own_mm * Matrix3::Identity();
-  view.covariance(3, 3) += kAtRest * seen->epipolar.noise_px2;
+  view.covariance.topLeftCorner<3, 3>() += seen->place.covariance_mm2 + own_mm * own_mm * Matrix3::Identity();
+  view.covariance(3, 3) += seen->epipolar.noise_px2;
   if (!view.offset.allFinite() || !view.covariance.allFinite()) return std::nullopt;
   return view;
 }

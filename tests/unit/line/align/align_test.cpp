@@ -76,6 +76,10 @@ TEST_F(AlignTest, InterpolationAveragesTheNoiseOfTwoPictures) {
   EXPECT_NEAR(seen.points.left[0].seen.covariance_px2(0, 0), variance, 1e-12);
   EXPECT_NEAR(seen.points.right[0].seen.covariance_px2(0, 0),
               variance * (share * share + (1.0 - share) * (1.0 - share)), 1e-7);
+  for (const Side side : kBothSides) {
+    const AlignedPoint& point = seen.points[side][0];
+    EXPECT_NEAR(point.seen.covariance_px2(0, 0) / point.averaging, variance, 1e-12);
+  }
 }
 
 TEST_F(AlignTest, TheClocksOffsetSpreadsTheInterpolatedPointAlongItsMotionOnly) {

@@ -33,7 +33,7 @@ class DatumWatchTest : public ::testing::Test {
   }
 
   /// The datum by cameras that moved: camera_after_from_camera_before, each.
-  void see(const PerSide<Isometry3>& moved, int views, const Vec3& datum_mm = kDatum) {
+  void see(const PerSide<Isometry3>& moved, int views, const Vec3& datum_mm = kDatum, double averaging = 1.0) {
     for (int i = 0; i < views; ++i) {
       now_ += std::chrono::milliseconds(33);
       Aligned seen;
@@ -42,7 +42,8 @@ class DatumWatchTest : public ::testing::Test {
       for (const Side side : kBothSides) {
         AlignedPoint point;
         point.seen.at = pixel(moved, side, datum_mm);
-        point.seen.covariance_px2 = kSpot_px * kSpot_px * Matrix2::Identity();
+        point.seen.covariance_px2 = averaging * kSpot_px * kSpot_px * Matrix2::Identity();
+        point.averaging = averaging;
         seen.points[side].push_back(point);
         ++seen.spots[side];
       }
@@ -199,6 +200,20 @@ TEST_F(DatumWatchTest, WhatTheCalibrationAdmitsIsNoAlarm) {
   see(erring, 60);
   EXPECT_FALSE(alarmed());
   EXPECT_GT(judged().decalibration_mm.value(), 3.0);
+}
+
+TEST_F(DatumWatchTest, TwoPicturesOfADatumAtRestSayNoMoreThanOne) {
+  // A turn that one picture leaves just short of an alarm, by which half its variance would make one.
+  const auto alarms = [this](double turn_rad, double averaging) {
+    decalibration_.watch(model_);
+    see({kStays, turned_by({turn_rad, 0.0, 0.0})}, 60, kDatum, averaging);
+    return alarmed();
+  };
+  double turn_rad = kTenthOfADegree_rad;
+  while (alarms(turn_rad, 1.0)) turn_rad *= 0.95;
+  EXPECT_GT(turn_rad, 0.1 * kTenthOfADegree_rad);
+  EXPECT_FALSE(alarms(turn_rad, 0.5));
+  EXPECT_TRUE(alarms(turn_rad / 0.95, 0.5));
 }
 
 TEST_F(DatumWatchTest, AnAlarmStandsWhileTheDatumIsKnownTooBadlyToEndIt) {
