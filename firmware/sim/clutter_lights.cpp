@@ -67,6 +67,7 @@ std::vector<LightSource> leds(const ClutterStage& stage) {
   for (const Vec3& place_mm : stage.leds_in_target_mm) {
     LightSource led{.id = static_cast<int>(lights.size()) + 1, .place_mm = place_mm, .color = make.color};
     led.switched_by = lights.size();
+    led.facing = -Vec3::UnitZ();
     led.core_sigma_mm = make.core_sigma_mm;
     led.halo_share = make.halo_share;
     led.elongation = make.elongation;

@@ -104,16 +104,21 @@ const RenderedFrame& FrameRenderer::render(Duration exposed_since_1970, std::uin
 
 std::optional<FrameRenderer::Sight> FrameRenderer::sight_of(const LightSource& light, Duration since_1970) const {
   const Isometry3 camera_from_reference = world_.camera_from_reference(side_, since_1970);
+  const Vec3 camera_mm = camera_from_reference.inverse().translation();
   Vec3 in_reference_mm = place_mm_at(light, since_1970);
+  std::optional<Vec3> facing = light.facing;
   if (light.mount == Mount::kTarget) {
-    in_reference_mm = target_pose_at(world_.settings().trajectory, since_1970) * in_reference_mm;
+    const Isometry3 reference_from_target = target_pose_at(world_.settings().trajectory, since_1970);
+    in_reference_mm = reference_from_target * in_reference_mm;
+    if (facing) facing = reference_from_target.linear() * *facing;
   }
   if (light.mirror) {
-    const Vec3 camera_mm = camera_from_reference.inverse().translation();
     const std::optional<Vec3> image_mm = mirrored_mm(*light.mirror, in_reference_mm, camera_mm);
     if (!image_mm) return std::nullopt;
     in_reference_mm = *image_mm;
+    if (facing) facing = *facing - 2.0 * facing->dot(light.mirror->facing) * light.mirror->facing;
   }
+  if (facing && facing->dot(camera_mm - in_reference_mm) <= 0.0) return std::nullopt;
   const Vec3 in_camera_mm = camera_from_reference * in_reference_mm;
   const Result<RawPixel> at = projected(world_.rig().cameras[side_], in_camera_mm);
   if (!at) return std::nullopt;

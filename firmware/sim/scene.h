@@ -61,6 +61,7 @@ struct LightSource {
   double veil_of_width = 0.08;         ///< standard deviation of the veil over the picture's width
   std::optional<Sway> sway = std::nullopt;                ///< about its place, in the same frame; absent: at rest in it
   std::optional<std::size_t> switched_by = std::nullopt;  ///< line of the simulated LEDs; absent: always lit
+  std::optional<Vec3> facing = std::nullopt;  ///< shines evenly into this half space alone; unit length, as `place_mm`
   std::optional<Outline> mirror = std::nullopt;  ///< seen in this mirror only, as far behind it as it is in front
 };
 inline constexpr double kPeakDistance_mm = 400.0;

@@ -166,6 +166,18 @@ TEST(RendererLightTest, MirrorShowsNothingBesideItNorFromBehind) {
   EXPECT_FALSE(seen_left(mirror_settings(nearer)).truth.visible);
 }
 
+TEST(RendererLightTest, DirectedLightIsSeenFromBeforeItAloneAndInTheMirrorBehindWhenItTurnsAway) {
+  const Outline behind{.center_in_reference_mm = {0.0, 0.0, 500.0}, .half_axes_mm = {60.0, 60.0}};
+  const auto seen = [](SimulationSettings settings, const Vec3& facing) {
+    settings.scene.lights[0].facing = facing;
+    return seen_left(settings).truth.visible;
+  };
+  EXPECT_TRUE(seen(bare_settings(), {0.0, 0.0, -1.0}));
+  EXPECT_FALSE(seen(bare_settings(), {0.0, 0.0, 1.0}));
+  EXPECT_FALSE(seen(mirror_settings(behind), {0.0, 0.0, -1.0}));
+  EXPECT_TRUE(seen(mirror_settings(behind), {0.0, 0.0, 1.0}));
+}
+
 TEST(RendererLightTest, PaintedMirrorDoesNotHideWhatIsSeenInIt) {
   const Outline mirror{.center_in_reference_mm = {0.0, 0.0, 500.0}, .half_axes_mm = {60.0, 60.0}};
   SimulationSettings settings = mirror_settings(mirror);
