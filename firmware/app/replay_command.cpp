@@ -20,6 +20,7 @@
 #include "config/config.h"
 #include "config/target_file.h"
 #include "line/line.h"
+#include "line/pose/output_frame.h"
 #include "recording/recording_reader.h"
 
 namespace tripoint {
@@ -29,28 +30,8 @@ struct Replay {
   Config config;
   LineModel model;
   DetectPoints detect;
-  Isometry3 wanted_from_output = Isometry3::Identity();  ///< --frame against the frame of the configuration
+  OutputFrame frame = OutputFrame::kReference;
 };
-
-/// The same measurement in another frame.
-Measurement moved(Measurement measurement, const Isometry3& wanted_from_output) {
-  const Matrix3 turn = wanted_from_output.rotation();
-  for (MeasuredPoint& point : measurement.points) {
-    point.in_output_mm = wanted_from_output * point.in_output_mm;
-    point.covariance_mm2 = turn * point.covariance_mm2 * turn.transpose();
-  }
-  if (measurement.pose) {
-    TargetPose& pose = *measurement.pose;
-    Matrix6 turn_both = Matrix6::Zero();
-    turn_both.topLeftCorner<3, 3>() = turn;
-    turn_both.bottomRightCorner<3, 3>() = turn;
-    pose.position_in_output_mm = wanted_from_output * pose.position_in_output_mm;
-    if (pose.output_from_target) pose.output_from_target = turn * *pose.output_from_target;
-    pose.noise = turn_both * pose.noise * turn_both.transpose();
-    pose.shared = turn_both * pose.shared * turn_both.transpose();
-  }
-  return measurement;
-}
 
 /// A calibration made at another picture size measures nonsense.
 Result<void> check_size(const LineModel& model, ImageSize recorded) {
@@ -108,9 +89,8 @@ Result<Replay> prepared(const ReplayOptions& options) {
     return tl::make_unexpected(datum.error());
   }
   if (options.config.empty()) replay.model.volume.reset();
-  const Isometry3 wanted_from_rig =
-      options.frame == "left_camera" ? replay.model.rig.camera_from_rig.left : Isometry3::Identity();
-  replay.wanted_from_output = wanted_from_rig * replay.model.output_from_rig.inverse();
+  if (options.frame == "left_camera") replay.frame = OutputFrame::kLeftCamera;
+  give_poses_in(replay.frame, replay.model);
   return replay;
 }
 
@@ -188,7 +168,6 @@ int replay_command(const ReplayOptions& options) {
   const Result<void> size = check_size(replay->model, reader->description().size);
   if (!size) return report(size.error());
 
-  const OutputFrame frame = options.frame == "left_camera" ? OutputFrame::kLeftCamera : OutputFrame::kReference;
   Line line(std::make_shared<const LineModel>(replay->model));
   EventMaker events(std::move(replay->detect));
   FrameTally tally;
@@ -200,7 +179,7 @@ int replay_command(const ReplayOptions& options) {
     }
     tally.used(*event);
     if (const std::optional<Measurement> verdict = line.step(*event)) {
-      fmt::print("{}\n", verdict_json(moved(*verdict, replay->wanted_from_output), frame));
+      fmt::print("{}\n", verdict_json(*verdict, replay->frame));
     }
   }
   return tally.told(options.folder);

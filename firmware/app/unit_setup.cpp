@@ -14,6 +14,7 @@
 #include "app/version.h"
 #include "config/target_shape.h"
 #include "document/sha256.h"
+#include "line/pose/output_frame.h"
 
 namespace tripoint {
 namespace {
@@ -168,12 +169,12 @@ Result<LineModel> line_model(const Calibration& calibration, const Target& targe
     model.covariance = calibration.covariance.value_or(RigCovariance::Zero());
     model.target = target;
     model.limits = limits_of(config);
-    model.volume = WorkingVolume{config.volume.min_mm, config.volume.max_mm};
+    give_poses_in(output_frame(config.output.frame), model);
+    model.volume = WorkingVolume{config.volume.min_mm, config.volume.max_mm, model.output_from_rig};
     if (const std::optional<DatumConfig>& datum = config.datum) {
       model.datum = Datum{datum->position_mm, datum->uncertainty_mm, datum->radius_mm};
     }
     model.method = config.output.method == ConfiguredMethod::kPaper ? Method::kPaper : Method::kMaximumLikelihood;
-    if (config.output.frame == ConfiguredFrame::kLeftCamera) model.output_from_rig = rig.camera_from_rig.left;
     return model;
   });
 }

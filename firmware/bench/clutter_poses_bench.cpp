@@ -19,7 +19,7 @@ namespace tripoint::bench {
 namespace {
 
 constexpr int kThreads = 2;
-constexpr std::uint64_t kHeldBack = 200'001;  ///< nothing was fitted to the scenes from here on
+constexpr std::uint64_t kHeldBack = 300'001;  ///< nothing was fitted to the scenes from here on
 constexpr int kFramesToFind = 3;
 constexpr Duration kLooked = std::chrono::milliseconds(300);  // nine pictures of each camera, the first ones included
 

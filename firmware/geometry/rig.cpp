@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "values/assert.h"
+
 namespace tripoint {
 namespace {
 
@@ -9,6 +11,9 @@ constexpr double kLeastBaselineMm = 1e-3;
 constexpr double kLeastForward = 1e-3;  // length of the summed axes' part across the baseline; 2 for a common rig
 
 constexpr int kCameraParameters = 9;
+constexpr int kFirstPoseParameter = 2 * kCameraParameters;
+constexpr double kRotationStep_rad = 1e-5;
+constexpr double kTranslationStep_mm = 1e-3;
 
 void put_camera(RigParameters& parameters, int first, const CameraModel& camera) {
   parameters.segment<2>(first) = camera.focal_px;
@@ -54,8 +59,8 @@ RigParameters parameters_of(const StereoCalibration& calibration) {
   put_camera(parameters, 0, calibration.cameras.left);
   put_camera(parameters, kCameraParameters, calibration.cameras.right);
   const Eigen::AngleAxisd rotation{calibration.right_from_left.linear()};
-  parameters.segment<3>(2 * kCameraParameters) = rotation.angle() * rotation.axis();
-  parameters.segment<3>(2 * kCameraParameters + 3) = calibration.right_from_left.translation();
+  parameters.segment<3>(kFirstPoseParameter) = rotation.angle() * rotation.axis();
+  parameters.segment<3>(kFirstPoseParameter + 3) = calibration.right_from_left.translation();
   return parameters;
 }
 
@@ -63,13 +68,34 @@ StereoCalibration calibration_of(const RigParameters& parameters, const PerSide<
   StereoCalibration calibration;
   calibration.cameras.left = camera_from(parameters, 0, sizes.left);
   calibration.cameras.right = camera_from(parameters, kCameraParameters, sizes.right);
-  const Vec3 rotation = parameters.segment<3>(2 * kCameraParameters);
+  const Vec3 rotation = parameters.segment<3>(kFirstPoseParameter);
   const double angle = rotation.norm();
   if (angle > 0.0) {
     calibration.right_from_left.linear() = Eigen::AngleAxisd{angle, rotation / angle}.toRotationMatrix();
   }
-  calibration.right_from_left.translation() = parameters.segment<3>(2 * kCameraParameters + 3);
+  calibration.right_from_left.translation() = parameters.segment<3>(kFirstPoseParameter + 3);
   return calibration;
+}
+
+Eigen::Matrix<double, 6, 24> left_from_rig_by_calibration(const StereoCalibration& calibration) {
+  const RigParameters parameters = parameters_of(calibration);
+  const auto left_from_rig = [&](int parameter, double change) {
+    RigParameters changed = parameters;
+    changed[parameter] += change;
+    const Result<Rig> rig = rig_of(calibration_of(changed, {}));
+    TRIPOINT_ASSERT(rig.has_value());
+    return rig->camera_from_rig.left;
+  };
+  Eigen::Matrix<double, 6, 24> by_calibration = Eigen::Matrix<double, 6, 24>::Zero();
+  for (int parameter = kFirstPoseParameter; parameter < parameters.size(); ++parameter) {
+    const double step = parameter < kFirstPoseParameter + 3 ? kRotationStep_rad : kTranslationStep_mm;
+    const Isometry3 before = left_from_rig(parameter, -step);
+    const Isometry3 after = left_from_rig(parameter, step);
+    const Eigen::AngleAxisd turn(after.linear() * before.linear().transpose());
+    by_calibration.col(parameter) << after.translation() - before.translation(), turn.angle() * turn.axis();
+    by_calibration.col(parameter) /= 2.0 * step;
+  }
+  return by_calibration;
 }
 
 double baseline_mm(const Rig& rig) {

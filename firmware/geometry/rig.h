@@ -35,6 +35,11 @@ RigParameters parameters_of(const StereoCalibration& calibration);
 /// The inverse of parameters_of; picture sizes are taken from `sizes`.
 StereoCalibration calibration_of(const RigParameters& parameters, const PerSide<ImageSize>& sizes);
 
+/// d(camera_from_rig.left) / d(calibration parameters): its translation, mm, and rotation vector along the camera's
+/// axes, rad. The reference frame moves with the parameters, the camera does not. Central differences (steps 1e-5 rad,
+/// 1e-3 mm). The calibration must have a rig.
+Eigen::Matrix<double, 6, 24> left_from_rig_by_calibration(const StereoCalibration& calibration);
+
 /// Distance between the lens centres.
 double baseline_mm(const Rig& rig);
 

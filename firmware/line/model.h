@@ -41,10 +41,11 @@ struct Target {
   Vec3 facing = Vec3::UnitZ();                        ///< unit length, in the target's frame: where its LEDs shine
 };
 
-/// In the output frame; a target outside is a fault, not a measurement. Absent in `replay` without --config.
+/// A target outside is a fault, not a measurement. Absent in `replay` without --config.
 struct WorkingVolume {
   Vec3 min_mm = Vec3::Zero();
   Vec3 max_mm = Vec3::Zero();
+  Isometry3 from_rig = Isometry3::Identity();  ///< its edges lie along the axes of this frame
 };
 
 /// A fixed LED by which the mount is watched: no part of the target, and outside the volume by its radius or more.
@@ -71,6 +72,8 @@ struct LineModel {
   bool calibrated = true;        ///< false: there is no calibration (fault 0), only what needs none is used
   bool calibration_fits = true;  ///< false: it belongs to other cameras or another picture size (fault 11)
   Isometry3 output_from_rig = Isometry3::Identity();
+  /// How that follows the calibration: translation, mm, and rotation vector in the output frame's directions, rad.
+  Eigen::Matrix<double, 6, 24> output_by_calibration = Eigen::Matrix<double, 6, 24>::Zero();
   Target target;
   std::optional<WorkingVolume> volume;
   std::optional<Datum> datum;

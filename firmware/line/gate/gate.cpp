@@ -15,15 +15,16 @@ Faults faults_of_model(const LineModel& model) {
   return faults;
 }
 
-bool inside(const WorkingVolume& volume, const Vec3& point_in_output) {
-  return (point_in_output.array() >= volume.min_mm.array()).all() &&
-         (point_in_output.array() <= volume.max_mm.array()).all();
+bool inside(const WorkingVolume& volume, const Vec3& point_in_rig_mm) {
+  const Vec3 point_mm = volume.from_rig * point_in_rig_mm;
+  return (point_mm.array() >= volume.min_mm.array()).all() && (point_mm.array() <= volume.max_mm.array()).all();
 }
 
 Faults faults_of_fit(const Fit& fit, const LineModel& model) {
   Faults faults = fit.faults;
   if (!fit.pose) return faults;
-  if (model.volume && !inside(*model.volume, fit.pose->position_in_output_mm)) faults.insert(Fault::kOutsideVolume);
+  const Vec3 position_in_rig_mm = model.output_from_rig.inverse() * fit.pose->position_in_output_mm;
+  if (model.volume && !inside(*model.volume, position_in_rig_mm)) faults.insert(Fault::kOutsideVolume);
   if (!(fit.timing_sigma_mm <= model.limits.timing_bound_mm)) faults.insert(Fault::kTimingBound);
   return faults;
 }

@@ -24,13 +24,13 @@ struct DepthRange {
 /// Depths in the reference frame that the working volume's corners span.
 DepthRange depth_range(const LineModel& model) {
   if (!model.volume) return {};
-  const Isometry3 rig_from_output = model.output_from_rig.inverse();
+  const Isometry3 rig_from_volume = model.volume->from_rig.inverse();
   DepthRange range{std::numeric_limits<double>::infinity(), 0.0};
   for (int corner = 0; corner < 8; ++corner) {
     const auto pick = [&](int axis) {
       return (corner >> axis) % 2 == 0 ? model.volume->min_mm[axis] : model.volume->max_mm[axis];
     };
-    const double depth_mm = (rig_from_output * Vec3{pick(0), pick(1), pick(2)}).z();
+    const double depth_mm = (rig_from_volume * Vec3{pick(0), pick(1), pick(2)}).z();
     range.min_mm = std::min(range.min_mm, depth_mm);
     range.max_mm = std::max(range.max_mm, depth_mm);
   }

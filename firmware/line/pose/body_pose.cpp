@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "geometry/rigid_fit.h"
+#include "line/pose/output_frame.h"
 #include "values/fixed_vector.h"
 
 namespace tripoint {
@@ -174,8 +175,9 @@ Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineMo
       model.method == Method::kPaper ? Result<Estimate>(by_paper(points)) : by_fit(points, model, start);
   if (!estimate) return tl::make_unexpected(estimate.error());
   if (!holds(*estimate, points, model)) return failure(ErrorCode::kNoConvergence);
-  const auto by_calibration =
-      moved_together<24>(points, estimate->gains, [](const LocatedPoint& point) { return point.place_by_calibration; });
+  const auto by_calibration = pose_in_output_by(
+      moved_together<24>(points, estimate->gains, [](const LocatedPoint& point) { return point.place_by_calibration; }),
+      estimate->rig_from_target.translation(), model);
   const auto by_clocks =
       moved_together<4>(points, estimate->gains, [](const LocatedPoint& point) { return point.moved_by_clocks_mm; });
   const Matrix6 timing = by_clocks * by_clocks.transpose();
@@ -188,7 +190,7 @@ Result<BodyPose> pose_of_body(std::span<const LocatedPoint> points, const LineMo
   pose.in_output.output_from_target = output_from_target.linear();
   pose.in_output.noise = turned(estimate->noise + timing, rotation);
   const Eigen::Matrix<double, 6, 24> spread = by_calibration.lazyProduct(model.covariance);
-  pose.in_output.shared = turned(spread.lazyProduct(by_calibration.transpose()), rotation);
+  pose.in_output.shared = spread.lazyProduct(by_calibration.transpose());
   pose.timing_sigma_mm = std::sqrt(timing.topLeftCorner<3, 3>().trace());
   pose.uncorrected_cost_mm = cost_of_skew_mm(points, estimate->gains);
   return pose;

@@ -4,6 +4,7 @@
 
 #include "geometry/paper.h"
 #include "geometry/triangulation.h"
+#include "line/pose/output_frame.h"
 #include "line/pose/paper_part.h"
 #include "line/pose/timing_part.h"
 
@@ -63,9 +64,11 @@ Result<LocatedPoint> located(const Pair& pair, const TargetPoint& of, const Alig
   return located;
 }
 
-Matrix3 shared_mm2(const LocatedPoint& at, const LineModel& model) {
-  const Eigen::Matrix<double, 3, 24> spread = at.place_by_calibration.lazyProduct(model.covariance);
-  return spread.lazyProduct(at.place_by_calibration.transpose());
+Matrix3 shared_in_output_mm2(const LocatedPoint& at, const LineModel& model) {
+  const Eigen::Matrix<double, 3, 24> by_calibration =
+      place_in_output_by(at.place_by_calibration, at.place.in_rig_mm, model);
+  const Eigen::Matrix<double, 3, 24> spread = by_calibration.lazyProduct(model.covariance);
+  return spread.lazyProduct(by_calibration.transpose());
 }
 
 double residual_square_px2(const LocatedPoint& at) {
@@ -77,7 +80,7 @@ MeasuredPoint measured_point(const Pair& pair, const LocatedPoint& at, const Lin
   MeasuredPoint point;
   point.id = pair.id;
   point.in_output_mm = model.output_from_rig * at.place.in_rig_mm;
-  point.covariance_mm2 = rotation * (at.place.covariance_mm2 + shared_mm2(at, model)) * rotation.transpose();
+  point.covariance_mm2 = rotation * at.place.covariance_mm2 * rotation.transpose() + shared_in_output_mm2(at, model);
   point.residual_px = std::sqrt(residual_square_px2(at));
   point.at = {pair.points.left.seen.at, pair.points.right.seen.at};
   point.peak_luma = {pair.points.left.seen.peak, pair.points.right.seen.peak};

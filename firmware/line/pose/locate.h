@@ -16,8 +16,8 @@ namespace tripoint {
 /// @return as triangulated
 Result<LocatedPoint> located(const Pair& pair, const TargetPoint& of, const Aligned& seen, const LineModel& model);
 
-/// The calibration's part of the place's covariance.
-Matrix3 shared_mm2(const LocatedPoint& at, const LineModel& model);
+/// The calibration's part of the place's covariance, in the output frame.
+Matrix3 shared_in_output_mm2(const LocatedPoint& at, const LineModel& model);
 
 /// Mean over both pictures.
 double residual_square_px2(const LocatedPoint& at);

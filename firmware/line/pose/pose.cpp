@@ -24,7 +24,7 @@ BodyPose position_only(const LocatedPoint& at, const LineModel& model) {
   const double mounted_mm = at.of.uncertainty_mm / 2.0;
   pose.in_output.noise.topLeftCorner<3, 3>() =
       rotation * at.place.covariance_mm2 * rotation.transpose() + mounted_mm * mounted_mm * Matrix3::Identity();
-  pose.in_output.shared.topLeftCorner<3, 3>() = rotation * shared_mm2(at, model) * rotation.transpose();
+  pose.in_output.shared.topLeftCorner<3, 3>() = shared_in_output_mm2(at, model);
   pose.timing_sigma_mm = at.moved_by_clocks_mm.norm();
   if (at.moved_by_skew_mm) pose.uncorrected_cost_mm = at.moved_by_skew_mm->norm();
   return pose;

@@ -97,6 +97,12 @@ TEST_F(GateTest, TheVolumesBorderBelongsToIt) {
     fit.pose->position_in_output_mm[axis] = model.volume->min_mm[axis] - 0.001;
     EXPECT_EQ(passed().faults, Faults{Fault::kOutsideVolume});
   }
+  model.volume->from_rig = model.output_from_rig;  // which is moved: the volume stays where it is
+  model.output_from_rig = Isometry3(Eigen::Translation3d(100.0, 0.0, 0.0));
+  fit.pose->position_in_output_mm = Vec3(149.0, 0.0, 400.0);
+  EXPECT_TRUE(passed().pose);
+  fit.pose->position_in_output_mm = Vec3(49.0, 0.0, 400.0);
+  EXPECT_EQ(passed().faults, Faults{Fault::kOutsideVolume});
   model.volume.reset();
   EXPECT_TRUE(passed().pose) << "without a volume there is no such gate";
 }

@@ -60,6 +60,8 @@ TEST(MatchTest, TheVolumesDepthSettlesWhatTheEpipolarLineLeavesOpen) {
   model.volume = WorkingVolume{{-100.0, -100.0, 350.0}, {100.0, 100.0, 450.0}};
   EXPECT_TRUE(match(seen, model).faults.empty());
   EXPECT_EQ(match(seen, model).pairs.size(), 1U);
+  model.volume->from_rig = Isometry3(Eigen::Translation3d(0.0, 0.0, -300.0));
+  EXPECT_EQ(match(seen, model).faults, Faults{Fault::kOutsideVolume});
 }
 
 TEST(MatchTest, LightsOfDifferentSizeOrBrightnessAreNoPair) {
