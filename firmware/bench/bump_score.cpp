@@ -6,6 +6,7 @@
 
 #include "line/match/match.h"
 #include "line/monitor/decalibration.h"
+#include "line/pose/pose.h"
 #include "sim/default_rig.h"
 
 namespace tripoint::bench {
@@ -57,7 +58,8 @@ class Watcher {
     Aligned seen = as_seen(view, spot_px_);
     seen.at = now_;
     if (stand.datum_mm) show_datum(seen, stand);
-    decalibration_.learn(seen, match(seen, model_), model_);
+    const Pairs pairs = match(seen, model_);
+    decalibration_.learn(seen, pairs, pose_of_target(seen, pairs, model_), model_);
     return decalibration_.judged({}).faults.contains(Fault::kDecalibration);
   }
 

@@ -28,7 +28,7 @@ std::optional<Measurement> Line::step(const Event& event) {
   if (!seen.due) return std::nullopt;
   const Pairs pairs = match(seen, *model_);
   const Fit fit = pose_of_target(seen, pairs, *model_);
-  decalibration_.learn(seen, pairs, *model_);
+  decalibration_.learn(seen, pairs, fit, *model_);
   const Measurement gated = gate(seen, pairs, fit, *model_);
   const bool told_by_geometry = model_->target.tags.empty();  // which LED is which; tags say it themselves
   const Measurement measurement = decalibration_.judged(told_by_geometry ? confirmation_.judged(gated) : gated);

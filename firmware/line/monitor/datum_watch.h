@@ -34,18 +34,19 @@ class DatumWatch {
   static constexpr Duration kPause = std::chrono::milliseconds(300);  ///< without a view: watching begins anew
 
  private:
-  /// Of the datum in the rig, mm, against its place, and its epipolar distance, px.
-  using Offset = Eigen::Vector4d;
+  using Offset = Eigen::Vector4d;  // left u v, right u v, of the datum's pixels less those of its place
 
   void judge();
 
-  Offset offset_ = Offset::Zero();                        // mean of the newest views
-  Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Zero();  // of one view: an LED that stands still errs alike in each
-  int views_ = 0;                                         // in the mean, no more than it remembers
+  // Means of the newest views. The covariance is that of one: an LED that stands still errs alike in each.
+  Offset offset_px_ = Offset::Zero();
+  Eigen::Matrix4d covariance_px2_ = Eigen::Matrix4d::Zero();
+  Vec3 moved_mm_ = Vec3::Zero();
+  int views_ = 0;  // in the mean, no more than it remembers
   TimePoint newest_{};
   bool alarm_ = false;
   double alarm_chi2_ = 0.0;  // the largest since it was raised, and the offset that it spoke for
-  Offset alarm_offset_ = Offset::Zero();
+  Offset alarm_offset_px_ = Offset::Zero();
 };
 
 }  // namespace tripoint

@@ -4,20 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "line/pose/locate.h"
+
 namespace tripoint {
 namespace {
 
 constexpr int kMemory = 30;     // views: a second
 constexpr int kLeastViews = 4;  // before anything is judged
-// Spots err alike from view to view: the noise of so many views is taken for that of one.
+// Spots err alike from view to view: the noise of so many views is taken for that of one. A camera shifts the edges of
+// tags alike in all views.
 constexpr double kAlike = 2.0;
 // Chi-square with three degrees of freedom: above once in 700,000 units, and in 6,000.
 constexpr double kAlarm = 30.0;
 constexpr double kExcluded = 20.0;
 constexpr double kUsualTurn_rad = 1.7e-3;  // a tenth of a degree: how far a target is still recognised after a knock
 
-bool is_whole(const Pairs& pairs, const LineModel& model) {
-  return pairs.faults.empty() && pairs.pairs.size() == model.target.points.size();
+/// Whether a target of so many LEDs, or of tags, shows how the cameras stand.
+bool shows_turns(const Target& target) { return target.points.size() >= 3 || !target.tags.empty(); }
+
+/// Standard deviation of each place of the target, by LocatedPoint::index.
+FixedVector<double, kMostTargetPlaces> place_sigmas_mm(const Target& target) {
+  FixedVector<double, kMostTargetPlaces> sigmas_mm;
+  for (const TargetTag& tag : target.tags) {
+    for (std::size_t corner = 0; corner < kTagCorners; ++corner) sigmas_mm.push_back(tag.uncertainty_mm / 2.0);
+  }
+  if (!target.tags.empty()) return sigmas_mm;
+  for (const TargetPoint& point : target.points) sigmas_mm.push_back(point.uncertainty_mm / 2.0);
+  return sigmas_mm;
 }
 
 }  // namespace
@@ -29,25 +42,34 @@ void Decalibration::watch(const LineModel& model) {
   turned_.covariance.bottomRightCorner<6, 6>() += spread * spread.transpose();
 }
 
-void Decalibration::learn(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
+void Decalibration::learn(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model) {
   if (!seen.common_time || !seen.faults.empty()) return;
   if (!model.calibrated || !model.calibration_fits) return;
   if (model.datum && pairs.datum) datum_.learn(*pairs.datum, seen.at, model);
-  if (model.target.points.size() < 3 || !model.target.tags.empty()) return;
+  if (!shows_turns(model.target)) return;
   const auto too_soon = [&](TimePoint last) { return seen.at >= last && seen.at < last + kLeastApart; };
   if (too_soon(found_.newest)) return;
-  if (is_whole(pairs, model)) {
-    take(turn_evidence(pairs, model), seen.at, model);
+  if (pairs.faults.empty() && fit.pose) {
+    take(seen, pairs, fit, model);
   } else if (!too_soon(searched_)) {
     searched_ = seen.at;
     const Pairs target = match(seen, turned_);
-    if (is_whole(target, model)) take(turn_evidence(target, model), seen.at, model);
+    if (!target.faults.empty()) return;
+    const Fit turned = pose_of_target(seen, target, turned_);
+    if (turned.pose) take(seen, target, turned, model);
   }
 }
 
-void Decalibration::take(const std::optional<TurnEvidence>& evidence, TimePoint at, const LineModel& model) {
+void Decalibration::take(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model) {
+  const auto points = located_target(pairs, seen, model);
+  if (!points || !fit.pose->output_from_target) return;
+  Isometry3 output_from_target = Isometry3::Identity();
+  output_from_target.linear() = *fit.pose->output_from_target;
+  output_from_target.translation() = fit.pose->position_in_output_mm;
+  const Isometry3 rig_from_target = model.output_from_rig.inverse() * output_from_target;
+  const auto evidence = turn_evidence({points->begin(), points->size()}, rig_from_target, model);
   if (!evidence) return;
-  add(*evidence, at);
+  add(*evidence, seen.at);
   judge(model, evidence->place_by_turn_mm);
 }
 
@@ -70,14 +92,16 @@ Matrix3 Decalibration::spread_without_turn(const LineModel& model) const {
   const TurnEquations& sums = found_.sums;
   const Matrix3 information = sums.middleCols<3>(kTurnColumn);
   // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz their sum spreads no more than this.
-  Matrix3 spread = kAlike * information + found_.clock_sigmas * found_.clock_spreads;
+  const double alike = model.target.tags.empty() ? kAlike : found_.views;
+  Matrix3 spread = alike * information + found_.clock_sigmas * found_.clock_spreads;
   const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
   const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(covariance_or_usual(model));
   spread += calibration.lazyProduct(by_calibration.transpose());
-  for (std::size_t i = 0; i < model.target.points.size(); ++i) {
-    const Matrix3 by_point = sums.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(i));
-    const double sigma_mm = model.target.points[i].uncertainty_mm / 2.0;
-    spread += sigma_mm * sigma_mm * by_point * by_point.transpose();
+  Eigen::Index column = kTargetColumn;
+  for (const double sigma_mm : place_sigmas_mm(model.target)) {
+    const Matrix3 by_place = sums.middleCols<3>(column);
+    spread += sigma_mm * sigma_mm * by_place * by_place.transpose();
+    column += 3;
   }
   return spread;
 }

@@ -10,6 +10,7 @@
 #include "line/model.h"
 #include "line/monitor/datum_watch.h"
 #include "line/monitor/turn_evidence.h"
+#include "line/pose/pose.h"
 #include "values/linear.h"
 #include "values/time.h"
 
@@ -17,10 +18,10 @@ namespace tripoint {
 
 /// A knocked camera makes poses wrong that look right: what it turns about the vertical moves no point off its epipolar
 /// line. So the turn of the right camera against the left is estimated from epipolar distances and the target's sides
-/// together, over about the last second in which the whole target was seen. It is an alarm when noise, calibration and
-/// target, each as uncertain as stated, hardly ever explain it. It ends when the target shows that the turn which
-/// raised it is no more: not for want of evidence. A target of one or two points shows too little, and watches
-/// nothing; nor does one of tags. A datum, if there is one, watches beside any target.
+/// together, over about the last second in which the whole target or some of its tags were seen. It is an alarm when
+/// noise, calibration and target, each as uncertain as stated, hardly ever explain it. It ends when the target shows
+/// that the turn which raised it is no more: not for want of evidence. A target of one or two LEDs shows too little,
+/// and watches nothing. A datum, if there is one, watches beside any target.
 ///
 /// A target that no longer fits the calibration is looked for by one that may have turned by a tenth of a degree; what
 /// it finds is evidence, never a pose.
@@ -29,7 +30,7 @@ class Decalibration {
   /// Begins anew.
   void watch(const LineModel& model);
 
-  void learn(const Aligned& seen, const Pairs& pairs, const LineModel& model);
+  void learn(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model);
 
   /// The measurement with side-length error, estimate (the larger of what target and datum show) and whether the mount
   /// is watched, while they are news, and during an alarm of either with kDecalibration in place of a pose, its points
@@ -53,7 +54,7 @@ class Decalibration {
     Vec3 alarm_turn_rad = Vec3::Zero();
   };
 
-  void take(const std::optional<TurnEvidence>& evidence, TimePoint at, const LineModel& model);
+  void take(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model);
   void add(const TurnEvidence& evidence, TimePoint at);
   [[nodiscard]] Matrix3 spread_without_turn(const LineModel& model) const;
   void judge(const LineModel& model, const Matrix3& place_by_turn_mm);

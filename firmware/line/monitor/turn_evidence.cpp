@@ -1,136 +1,107 @@
 #include "line/monitor/turn_evidence.h"
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include "geometry/rigid_fit.h"
-#include "line/monitor/pair_evidence.h"
-#include "line/pose/timing_part.h"
-#include "values/fixed_vector.h"
+#include "geometry/triangulation.h"
+#include "line/pose/pixel_rows.h"
 
 namespace tripoint {
 namespace {
 
 constexpr double kUnstatedTurn_rad = 1e-4;  // standard deviation, of a calibration that does not state its own
 constexpr double kTurnStep_rad = 1e-5;
-constexpr double kMostTiming = 9.0;   // variance of the clocks' part over that of a spot
-constexpr double kClockShare = 1e-3;  // of a standard deviation, for differences
-constexpr int kRefinements = 2;       // of the pose that three points give
+constexpr double kMostTiming = 9.0;  // variance of the clocks' part over that of a spot
+constexpr int kMostSteps = 20;       // of the pose: 2 or 3 are usual
+constexpr double kSettled = 1e-6;    // of a step, mm and rad times the distance, over the distance
 
-using ByClocks = Eigen::Matrix<double, 4, 4>;
+using Points = std::span<const LocatedPoint>;
+using RowsByTurn = Eigen::Matrix<double, Eigen::Dynamic, kTurnColumns, 0, kMostRows, kTurnColumns>;
 
-/// A point of the target where it was seen: a place and an epipolar distance, uncorrelated to first order.
-struct WatchedPoint {
-  Vec3 in_target_mm = Vec3::Zero();
-  Vec3 in_rig_mm = Vec3::Zero();
-  Matrix3 place_weight = Matrix3::Identity();  ///< inverse covariance, from the image points alone
-  double epipolar_px = 0.0;
-  double epipolar_weight = 1.0;
-  Eigen::Matrix<double, 3, 24> place_by_calibration;
-  RigParameters epipolar_by_calibration;
-  Matrix3 place_by_turn;
-  Vec3 epipolar_by_turn;
-  ByClocks by_clocks;
-};
-using WatchedPoints = FixedVector<WatchedPoint, kMaxTargetPoints>;
-
-bool timed_well(const AlignedPoint& point) {
-  return point.timing_px2.trace() <= kMostTiming * point.seen.covariance_px2.trace();
+bool timed_well(const LocatedPoint& point) {
+  return std::all_of(kBothSides.begin(), kBothSides.end(), [&](Side side) {
+    const double timing_px2 = point.clocks_root_px[side].squaredNorm();
+    return timing_px2 <= kMostTiming * (point.pixels[side].covariance_px2.trace() - timing_px2);
+  });
 }
 
-/// How place (three rows) and epipolar distance move with one standard deviation of the clocks.
-ByClocks moved_by_clocks(const Pair& pair, const PerSide<MeasuredPixel>& pixels, const TriangulatedPoint& place,
-                         const Rig& rig) {
-  ByClocks moved = ByClocks::Zero();
-  for (const Side side : kBothSides) {
-    const AlignedPoint& image = pair.points[side];
-    const Matrix2 root_px = timing_root_px(image.timing_px2, image.velocity_px_per_s);
-    const int first = side == Side::kLeft ? 0 : 2;
-    moved.block<3, 2>(0, first) = pixel_gain_mm_per_px(rig, place, pixels, side) * root_px;
-    for (int column = 0; column < 2; ++column) {
-      const auto distance_px = [&](double share) {
-        PerSide<MeasuredPixel> shifted = pixels;
-        shifted[side].at.u_px += share * root_px(0, column);
-        shifted[side].at.v_px += share * root_px(1, column);
-        const Result<EpipolarError> error = epipolar_error(rig, shifted);
-        return error ? error->distance_px : 0.0;
-      };
-      moved(3, first + column) = (distance_px(kClockShare) - distance_px(-kClockShare)) / (2.0 * kClockShare);
+/// Pixels with what moves them, whitened.
+struct Part {
+  PixelOffset offset;
+  Eigen::LLT<PixelCovariance> root;
+};
+
+/// @return nothing when a point lies behind a camera
+std::optional<Part> part_at(const Isometry3& pose, Points points, const Rig& rig) {
+  std::optional<PixelOffset> offset = pixel_offset(pose, points, rig);
+  if (!offset) return std::nullopt;
+  Part part{*offset, Eigen::LLT<PixelCovariance>(spots_covariance_px2(points))};
+  if (part.root.info() != Eigen::Success) return std::nullopt;
+  part.root.matrixL().solveInPlace(part.offset.px);
+  part.root.matrixL().solveInPlace(part.offset.by_pose);
+  return part;
+}
+
+/// The likeliest pose by the image points alone: Gauss and Newton.
+std::optional<Isometry3> best_pose(Points points, Isometry3 pose, const Rig& rig) {
+  for (int i = 0; i < kMostSteps; ++i) {
+    Matrix6 information = Matrix6::Zero();
+    PoseParameters gradient = PoseParameters::Zero();
+    for (std::size_t first = 0; first < points.size();) {
+      const Points own = part_from(points, first);
+      const std::optional<Part> part = part_at(pose, own, rig);
+      if (!part) return std::nullopt;
+      information += part->offset.by_pose.transpose().lazyProduct(part->offset.by_pose);
+      gradient += part->offset.by_pose.transpose().lazyProduct(part->offset.px);
+      first += own.size();
+    }
+    const PoseParameters step = Eigen::LLT<Matrix6>(information).solve(gradient);
+    if (!step.allFinite()) return std::nullopt;
+    pose = moved(pose, step);
+    const double distance_mm = pose.translation().norm();
+    if (step.head<3>().norm() + distance_mm * step.tail<3>().norm() <= kSettled * distance_mm) return pose;
+  }
+  return std::nullopt;
+}
+
+/// How the offsets of one part's pixels follow the columns; what was seen is left out. Not whitened.
+RowsByTurn rows_by_turn(Points part, const Isometry3& pose, const LineModel& model,
+                        const Eigen::Matrix<double, 6, 3>& by_turn) {
+  RowsByTurn rows = RowsByTurn::Zero(row_of(part.size()), kTurnColumns);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const LocatedPoint& point = part[i];
+    auto own = rows.middleRows<kPixels>(row_of(i));
+    own.middleCols<24>(kCalibrationColumn) = -pixels_by_calibration(model.calibration, point.place.in_rig_mm);
+    own.middleCols<3>(kTurnColumn) = own.middleCols<6>(kCalibrationColumn + 18) * by_turn;
+    for (const Side side : kBothSides) {
+      own.block<2, 2>(first_row(side), kClockColumn + first_row(side)) = point.clocks_root_px[side];
+    }
+    own.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(point.index)) =
+        -pixels_by_place(model.rig, pose * point.of.in_target_mm) * pose.linear();
+  }
+  return rows;
+}
+
+/// Of the part's points together.
+Matrix3 places_by_turn_mm(Points part, const RowsByTurn& rows) {
+  Matrix3 moved = Matrix3::Zero();
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    for (const Side side : kBothSides) {
+      moved += part[i].by_pixel[side] * rows.block<2, 3>(row_of(i) + first_row(side), kTurnColumn);
     }
   }
   return moved;
 }
 
-std::optional<WatchedPoint> watched(const Pair& pair, const Vec3& in_target_mm, const LineModel& model,
-                                    const Eigen::Matrix<double, 6, 3>& by_turn) {
-  if (!timed_well(pair.points.left) || !timed_well(pair.points.right)) return std::nullopt;
-  const std::optional<PairEvidence> seen = pair_evidence(pair, model);
-  if (!seen) return std::nullopt;
-  return WatchedPoint{in_target_mm,
-                      seen->place.in_rig_mm,
-                      seen->place.covariance_mm2.inverse(),
-                      seen->epipolar.distance_px,
-                      1.0 / seen->epipolar.noise_px2,
-                      seen->place_by_calibration,
-                      seen->epipolar_by_calibration,
-                      seen->place_by_calibration.rightCols<6>() * by_turn,
-                      by_turn.transpose() * seen->epipolar_by_calibration.tail<6>(),
-                      moved_by_clocks(pair, seen->pixels, seen->place, model.rig)};
-}
-
-/// The pose of three points, which the eliminated pose is linear around.
-Isometry3 start_of(const WatchedPoints& points) {
-  FixedVector<Vec3, kMaxTargetPoints> made_mm;
-  for (const WatchedPoint& point : points) made_mm.push_back(point.in_target_mm);
-  const auto [a, b, c] = widest_triangle({made_mm.begin(), made_mm.size()});
-  return three_point_frame(points[a].in_rig_mm, points[b].in_rig_mm, points[c].in_rig_mm) *
-         three_point_frame(made_mm[a], made_mm[b], made_mm[c]).inverse();
-}
-
-/// Normal equations around a pose: of the pose itself, of it with the turn's columns, and of those alone.
-struct NormalEquations {
-  Matrix6 pose = Matrix6::Zero();
-  Eigen::Matrix<double, 6, TurnEquations::ColsAtCompileTime> crossed =
-      Eigen::Matrix<double, 6, TurnEquations::ColsAtCompileTime>::Zero();
-  TurnEquations turn = TurnEquations::Zero();
-};
-
-NormalEquations around(const Isometry3& pose, const WatchedPoints& points) {
-  NormalEquations sums;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const WatchedPoint& point = points[i];
-    const Vec3 arm_mm = pose.linear() * point.in_target_mm;
-    Eigen::Matrix<double, 3, 6> place_by_pose;
-    place_by_pose << Matrix3::Identity(), -cross_matrix(arm_mm);
-    Eigen::Matrix<double, 3, TurnEquations::ColsAtCompileTime> place = decltype(place)::Zero();
-    place.middleCols<3>(kTurnColumn) = point.place_by_turn;
-    place.middleCols<24>(kCalibrationColumn) = point.place_by_calibration;
-    place.middleCols<4>(kClockColumn) = point.by_clocks.topRows<3>();
-    place.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(i)) = -pose.linear();
-    place.col(kSeenColumn) = point.in_rig_mm - pose.translation() - arm_mm;
-    Eigen::Matrix<double, 1, TurnEquations::ColsAtCompileTime> epipolar = decltype(epipolar)::Zero();
-    epipolar.middleCols<3>(kTurnColumn) = point.epipolar_by_turn.transpose();
-    epipolar.middleCols<24>(kCalibrationColumn) = point.epipolar_by_calibration.transpose();
-    epipolar.middleCols<4>(kClockColumn) = point.by_clocks.bottomRows<1>();
-    epipolar(kSeenColumn) = point.epipolar_px;
-
-    const Eigen::Matrix<double, 6, 3> pose_weighted = place_by_pose.transpose() * point.place_weight;
-    const Matrix3 turn_weighted = point.place_by_turn.transpose() * point.place_weight;
-    const Vec3 epipolar_weighted = point.epipolar_by_turn * point.epipolar_weight;
-    sums.pose += pose_weighted * place_by_pose;
-    sums.crossed += pose_weighted.lazyProduct(place);
-    sums.turn += turn_weighted.lazyProduct(place) + epipolar_weighted.lazyProduct(epipolar);
-  }
-  return sums;
-}
-
-double mean_side_error_mm(const WatchedPoints& points) {
+double mean_side_error_mm(Points points) {
   double sum_mm = 0.0;
   int sides = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j, ++sides) {
-      sum_mm +=
-          (points[i].in_rig_mm - points[j].in_rig_mm).norm() - (points[i].in_target_mm - points[j].in_target_mm).norm();
+      sum_mm += (points[i].place.in_rig_mm - points[j].place.in_rig_mm).norm() -
+                (points[i].of.in_target_mm - points[j].of.in_target_mm).norm();
     }
   }
   return sum_mm / sides;
@@ -160,28 +131,31 @@ RigCovariance covariance_or_usual(const LineModel& model) {
   return covariance;
 }
 
-std::optional<TurnEvidence> turn_evidence(const Pairs& pairs, const LineModel& model) {
+std::optional<TurnEvidence> turn_evidence(Points points, const Isometry3& start, const LineModel& model) {
+  if (!std::all_of(points.begin(), points.end(), timed_well)) return std::nullopt;
+  const std::optional<Isometry3> pose = best_pose(points, start, model.rig);
+  if (!pose) return std::nullopt;
   const Eigen::Matrix<double, 6, 3> by_turn = calibration_by_turn(model.calibration);
-  WatchedPoints points;
+  Matrix6 by_pose = Matrix6::Zero();
+  Eigen::Matrix<double, 6, kTurnColumns> crossed = Eigen::Matrix<double, 6, kTurnColumns>::Zero();
   TurnEvidence evidence;
-  for (std::size_t i = 0; i < pairs.pairs.size(); ++i) {
-    const auto point = watched(pairs.pairs[i], model.target.points[i].in_target_mm, model, by_turn);
-    if (!point) return std::nullopt;
-    points.push_back(*point);
-    evidence.place_by_turn_mm += point->place_by_turn;
-  }
-  evidence.place_by_turn_mm /= static_cast<double>(points.size());
-  evidence.side_error_mm = mean_side_error_mm(points);
-
-  Isometry3 pose = start_of(points);
-  NormalEquations sums = around(pose, points);
-  for (int i = 0; i < kRefinements; ++i) {
-    pose = moved(pose, Eigen::LLT<Matrix6>(sums.pose).solve(sums.crossed.col(kSeenColumn)));
-    sums = around(pose, points);
+  for (std::size_t first = 0; first < points.size();) {
+    const Points own = part_from(points, first);
+    const std::optional<Part> part = part_at(*pose, own, model.rig);
+    if (!part) return std::nullopt;
+    RowsByTurn rows = rows_by_turn(own, *pose, model, by_turn);
+    evidence.place_by_turn_mm += places_by_turn_mm(own, rows) / static_cast<double>(points.size());
+    part->root.matrixL().solveInPlace(rows);
+    rows.col(kSeenColumn) = part->offset.px;
+    by_pose += part->offset.by_pose.transpose().lazyProduct(part->offset.by_pose);
+    crossed += part->offset.by_pose.transpose().lazyProduct(rows);
+    evidence.equations += rows.middleCols<3>(kTurnColumn).transpose().lazyProduct(rows);
+    first += own.size();
   }
   const Eigen::Matrix<double, 3, 6> gain =
-      Eigen::LLT<Matrix6>(sums.pose).solve(sums.crossed.middleCols<3>(kTurnColumn)).transpose();
-  evidence.equations = sums.turn - gain.lazyProduct(sums.crossed);
+      Eigen::LLT<Matrix6>(by_pose).solve(crossed.middleCols<3>(kTurnColumn)).transpose();
+  evidence.equations -= gain.lazyProduct(crossed);
+  evidence.side_error_mm = mean_side_error_mm(points);
   if (!evidence.equations.allFinite()) return std::nullopt;
   return evidence;
 }

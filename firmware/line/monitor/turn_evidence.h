@@ -2,9 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
-#include "line/match/match.h"
 #include "line/model.h"
+#include "line/pose/body_pose.h"
 #include "values/forecast.h"
 #include "values/linear.h"
 
@@ -21,24 +22,28 @@ RigCovariance covariance_or_usual(const LineModel& model);
 /// Normal equations of such a turn, with the target's pose eliminated. Columns: the turn itself, what errors of the
 /// calibration, of the clocks and of the points' places in the target would do to it, and what was seen. The last four
 /// are the same from view to view, and no number of views averages them out.
+inline constexpr int kMostTargetPlaces = static_cast<int>(kMaxTargetPoints * kTagCorners);
 inline constexpr int kTurnColumn = 0;
 inline constexpr int kCalibrationColumn = 3;
 inline constexpr int kClockColumn = kCalibrationColumn + 24;  ///< one standard deviation along two directions a picture
-inline constexpr int kTargetColumn = kClockColumn + 4;
-inline constexpr int kSeenColumn = kTargetColumn + 3 * static_cast<int>(kMaxTargetPoints);
-using TurnEquations = Eigen::Matrix<double, 3, kSeenColumn + 1>;
+inline constexpr int kTargetColumn = kClockColumn + 4;        ///< LocatedPoint::index says which three
+inline constexpr int kSeenColumn = kTargetColumn + 3 * kMostTargetPlaces;
+inline constexpr int kTurnColumns = kSeenColumn + 1;
+using TurnEquations = Eigen::Matrix<double, 3, kTurnColumns>;
 
 struct TurnEvidence {
   TurnEquations equations = TurnEquations::Zero();
   Matrix3 place_by_turn_mm = Matrix3::Zero();  ///< per rad, in the middle of the target
-  double side_error_mm = 0.0;                  ///< mean over the target's sides: measured less nominal
+  double side_error_mm = 0.0;                  ///< mean over the distances between points: measured less nominal
 };
 
 /// A turned camera shows in the points' epipolar distances and in the distances between them.
 ///
-/// @param pairs the whole target, identified, in the order of its points, of which there are three or more
-/// @return nothing when a pair's rays do not meet in front of both cameras, when time makes a point far more uncertain
+/// @param points  three or more, by `located_target`
+/// @param start   a pose of the target near the best one
+/// @return nothing when the iteration for the best pose does not settle, when time makes a point far more uncertain
 ///         than its picture does, as in a sharp turn of its path, or when no number comes out
-std::optional<TurnEvidence> turn_evidence(const Pairs& pairs, const LineModel& model);
+std::optional<TurnEvidence> turn_evidence(std::span<const LocatedPoint> points, const Isometry3& start,
+                                          const LineModel& model);
 
 }  // namespace tripoint

@@ -1,5 +1,6 @@
 #include "line/pose/locate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/paper.h"
@@ -37,7 +38,50 @@ Slopes slopes(const TriangulatedPoint& place, const PerSide<MeasuredPixel>& pixe
   return slopes;
 }
 
+/// @param corner  its place among all pairs
+Result<LocatedPoint> located_corner(const Pair& pair, std::size_t corner, const Aligned& seen, const LineModel& model) {
+  const std::size_t of_tag = corner % kTagCorners;
+  const std::size_t place = place_of_tag(pair.id, model.target);
+  const TargetTag& tag = model.target.tags[place];
+  Result<LocatedPoint> at =
+      located(pair, {tag.id, tag.corners_mm[of_tag], tag.uncertainty_mm, std::nullopt}, seen, model);
+  if (!at) return at;
+  at->index = kTagCorners * place + of_tag;
+  at->next = corner - of_tag + (of_tag + 1) % kTagCorners;
+  for (const Side side : kBothSides) at->shared_with_next_px2[side] = pair.points[side].seen.shared_with_next_px2;
+  return at;
+}
+
+Result<LocatedPoint> located_led(const Pair& pair, const Aligned& seen, const LineModel& model) {
+  const auto& points = model.target.points;
+  const auto same = [&](const TargetPoint& point) { return point.id == pair.id; };
+  const auto found = std::find_if(points.begin(), points.end(), same);
+  if (found == points.end()) return failure(ErrorCode::kMismatch);
+  Result<LocatedPoint> at = located(pair, *found, seen, model);
+  if (at) at->index = static_cast<std::size_t>(found - points.begin());
+  return at;
+}
+
 }  // namespace
+
+std::size_t place_of_tag(int id, const Target& target) {
+  const auto same = [&](const TargetTag& tag) { return tag.id == id; };
+  return static_cast<std::size_t>(std::find_if(target.tags.begin(), target.tags.end(), same) - target.tags.begin());
+}
+
+Result<FixedVector<LocatedPoint, kMaxImagePoints>> located_target(const Pairs& pairs, const Aligned& seen,
+                                                                  const LineModel& model) {
+  const bool tags = !model.target.tags.empty();
+  FixedVector<LocatedPoint, kMaxImagePoints> points;
+  for (std::size_t i = 0; i < pairs.pairs.size(); ++i) {
+    const Pair& pair = pairs.pairs[i];
+    if (!tags && pair.id == 0) continue;
+    const Result<LocatedPoint> at = tags ? located_corner(pair, i, seen, model) : located_led(pair, seen, model);
+    if (!at) return tl::make_unexpected(at.error());
+    points.push_back(*at);
+  }
+  return points;
+}
 
 Result<LocatedPoint> located(const Pair& pair, const TargetPoint& of, const Aligned& seen, const LineModel& model) {
   const PerSide<MeasuredPixel> pixels = pixels_of(pair);

@@ -22,11 +22,6 @@ constexpr double kSameTurn_rad = 1e-4;  // both starts came to one pose: far bel
 
 using Located = FixedVector<LocatedPoint, kMaxImagePoints>;
 
-std::size_t place_of_tag(int id, const Target& target) {
-  const auto same = [&](const TargetTag& tag) { return tag.id == id; };
-  return static_cast<std::size_t>(std::find_if(target.tags.begin(), target.tags.end(), same) - target.tags.begin());
-}
-
 /// Where the diagonals meet in a picture without distortion. The slopes are those of the picture as it is: distortion
 /// changes them by parts in a thousand across a tag.
 Result<ImagePoint> centre_in(std::span<const Pair> corners, Side side, const CameraModel& camera) {
@@ -83,21 +78,6 @@ Result<Located> located_centres(const Aligned& seen, const Pairs& pairs, const L
   }
   if (!centres.empty()) fit.residual_rms_px = std::sqrt(squares_px2 / static_cast<double>(centres.size()));
   return centres;
-}
-
-Result<Located> located_corners(const Aligned& seen, const Pairs& pairs, const LineModel& model) {
-  Located corners;
-  for (std::size_t i = 0; i < pairs.pairs.size(); ++i) {
-    const Pair& pair = pairs.pairs[i];
-    const TargetTag& tag = model.target.tags[place_of_tag(pair.id, model.target)];
-    Result<LocatedPoint> at =
-        located(pair, {tag.id, tag.corners_mm[i % kTagCorners], tag.uncertainty_mm, std::nullopt}, seen, model);
-    if (!at) return tl::make_unexpected(at.error());
-    at->next = i - i % kTagCorners + (i + 1) % kTagCorners;
-    for (const Side side : kBothSides) at->shared_with_next_px2[side] = pair.points[side].seen.shared_with_next_px2;
-    corners.push_back(*at);
-  }
-  return corners;
 }
 
 double turn_between_rad(const Isometry3& one, const Isometry3& other) {
@@ -190,7 +170,7 @@ Fit pose_of_tags(const Aligned& seen, const Pairs& pairs, const LineModel& model
   if (pairs.pairs.empty()) return fit;
   const Result<Located> centres = located_centres(seen, pairs, model, fit);
   const bool by_centres = model.method == Method::kPaper;
-  const Result<Located> points = by_centres ? centres : located_corners(seen, pairs, model);
+  const Result<Located> points = by_centres ? centres : located_target(pairs, seen, model);
   if (!centres || !points) {
     fit.faults.insert(Fault::kGeometryGate);
     return fit;

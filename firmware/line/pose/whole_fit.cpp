@@ -8,6 +8,7 @@
 
 #include "geometry/rigid_fit.h"
 #include "geometry/triangulation.h"
+#include "line/pose/pixel_rows.h"
 #include "values/fixed_vector.h"
 
 namespace tripoint {
@@ -21,22 +22,14 @@ constexpr double kSlack = 1e-6;  // chi-square is not known better than that
 
 constexpr double kRareNormal = 3.0902;  // deviations that a normal value exceeds once in 1,000 times
 
-constexpr int kPixels = 4;  // left u v, right u v
 constexpr int kCalibration = 24;
 constexpr int kShared = kCalibration + 4;  // and two directions of the clocks in each picture
-constexpr int kMostRows = kPixels * static_cast<int>(kTagCorners);
 
 using Points = std::span<const LocatedPoint>;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
-using RowsByPose = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, kMostRows, 6>;
 using RowsByShared = Eigen::Matrix<double, Eigen::Dynamic, kShared, 0, kMostRows, kShared>;
-using RowsByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostRows>;
 using SharedByPose = Eigen::Matrix<double, kShared, 6>;
 using SharedVector = Eigen::Matrix<double, kShared, 1>;
 using SharedMatrix = Eigen::Matrix<double, kShared, kShared>;
-
-constexpr Eigen::Index first_row(Side side) { return side == Side::kLeft ? 0 : 2; }
-constexpr Eigen::Index row_of(std::size_t point) { return static_cast<Eigen::Index>(kPixels * point); }
 
 /// root root' = covariance, which may leave some parameters without an error.
 RigCovariance root_of(const RigCovariance& covariance) {
@@ -49,7 +42,7 @@ RigCovariance root_of(const RigCovariance& covariance) {
 /// One tag's corners, or one centre: what they err by is white when divided by the root of their own covariance.
 struct Part {
   Points points;
-  Eigen::LLT<RowsByRows> root;
+  Eigen::LLT<PixelCovariance> root;
   RowsByShared by_shared;  ///< whitened pixels by what all points share, each of unit variance
 };
 
@@ -59,26 +52,11 @@ struct Weights {
   Eigen::LLT<SharedMatrix> shared;  ///< information about what all points share, what is known beforehand included
 };
 
-RowsByRows own_covariance_px2(Points points, const LineModel& model) {
-  RowsByRows covariance = RowsByRows::Zero(row_of(points.size()), row_of(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const LocatedPoint& point = points[i];
-    Eigen::Matrix<double, kPixels, 3> by_place;
-    for (const Side side : kBothSides) {
-      const Isometry3& camera_from_rig = model.rig.camera_from_rig[side];
-      const Eigen::Index row = row_of(i) + first_row(side);
-      by_place.middleRows<2>(first_row(side)) =
-          projection_jacobian_px_per_mm(model.rig.cameras[side], camera_from_rig * point.place.in_rig_mm) *
-          camera_from_rig.linear();
-      const Matrix2& clocks_root_px = point.clocks_root_px[side];  // all points share them: `by_shared`
-      covariance.block<2, 2>(row, row) +=
-          point.pixels[side].covariance_px2 - clocks_root_px * clocks_root_px.transpose();
-      if (!point.next) continue;
-      const Eigen::Index next = row_of((i + 1) % points.size()) + first_row(side);
-      covariance.block<2, 2>(row, next) += point.shared_with_next_px2[side];
-      covariance.block<2, 2>(next, row) += point.shared_with_next_px2[side].transpose();
-    }
-    const double sigma_mm = point.of.uncertainty_mm / 2.0;
+PixelCovariance own_covariance_px2(Points part, const LineModel& model) {
+  PixelCovariance covariance = spots_covariance_px2(part);
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Eigen::Matrix<double, kPixels, 3> by_place = pixels_by_place(model.rig, part[i].place.in_rig_mm);
+    const double sigma_mm = part[i].of.uncertainty_mm / 2.0;
     covariance.block<kPixels, kPixels>(row_of(i), row_of(i)) += sigma_mm * sigma_mm * by_place * by_place.transpose();
   }
   return covariance;
@@ -106,15 +84,14 @@ Result<Weights> weights_of(Points points, const LineModel& model) {
   Weights weights;
   SharedMatrix information = SharedMatrix::Identity();
   for (std::size_t first = 0; first < points.size();) {
-    const std::size_t count = points[first].next ? kTagCorners : 1;
-    const Points own = points.subspan(first, count);
-    const RowsByRows covariance_px2 = own_covariance_px2(own, model);
-    Part part{own, Eigen::LLT<RowsByRows>(covariance_px2), by_shared(own, model, calibration_root)};
+    const Points own = part_from(points, first);
+    const PixelCovariance covariance_px2 = own_covariance_px2(own, model);
+    Part part{own, Eigen::LLT<PixelCovariance>(covariance_px2), by_shared(own, model, calibration_root)};
     if (part.root.info() != Eigen::Success || !covariance_px2.allFinite()) return failure(ErrorCode::kDegenerate);
     part.root.matrixL().solveInPlace(part.by_shared);
     information += part.by_shared.transpose().lazyProduct(part.by_shared);
     weights.parts.push_back(part);
-    first += count;
+    first += own.size();
   }
   weights.shared.compute(information);
   return weights;
@@ -127,39 +104,13 @@ struct Normal {
   double chi2 = 0.0;
 };
 
-/// Pixels seen less those of the target at the pose, and how these follow it.
-struct Offset {
-  Rows px;
-  RowsByPose by_pose;
-};
-
-/// Nothing when a point is behind a camera.
-std::optional<Offset> offset_at(const Isometry3& pose, Points points, const Rig& rig) {
-  Offset offset{Rows(row_of(points.size())), RowsByPose(row_of(points.size()), 6)};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 arm_mm = pose.linear() * points[i].of.in_target_mm;
-    for (const Side side : kBothSides) {
-      const Isometry3& camera_from_rig = rig.camera_from_rig[side];
-      const Vec3 in_camera = camera_from_rig * (pose.translation() + arm_mm);
-      const Result<RawPixel> predicted = projected(rig.cameras[side], in_camera);
-      if (!predicted) return std::nullopt;
-      const RawPixel& seen = points[i].pixels[side].at;
-      const Eigen::Index row = row_of(i) + first_row(side);
-      const Matrix23 by_place = projection_jacobian_px_per_mm(rig.cameras[side], in_camera) * camera_from_rig.linear();
-      offset.px.segment<2>(row) << seen.u_px - predicted->u_px, seen.v_px - predicted->v_px;
-      offset.by_pose.middleRows<2>(row) << by_place, -by_place * cross_matrix(arm_mm);
-    }
-  }
-  return offset;
-}
-
 /// @return kBehindCamera
 Result<Normal> normal_at(const Isometry3& pose, const Weights& weights, const Rig& rig) {
   Normal normal;
   SharedVector shared = SharedVector::Zero();
   SharedByPose shared_by_pose = SharedByPose::Zero();
   for (const Part& part : weights.parts) {
-    std::optional<Offset> offset = offset_at(pose, part.points, rig);
+    std::optional<PixelOffset> offset = pixel_offset(pose, part.points, rig);
     if (!offset) return failure(ErrorCode::kBehindCamera);
     part.root.matrixL().solveInPlace(offset->px);
     part.root.matrixL().solveInPlace(offset->by_pose);

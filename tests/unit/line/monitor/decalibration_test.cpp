@@ -29,7 +29,8 @@ class DecalibrationTest : public ::testing::Test {
     now_ += std::chrono::milliseconds(33);
     Aligned seen = bench::as_seen(view, testing::kSpot_px);
     seen.at = now_;
-    decalibration_.learn(seen, match(seen, model_), model_);
+    const Pairs pairs = match(seen, model_);
+    decalibration_.learn(seen, pairs, pose_of_target(seen, pairs, model_), model_);
   }
   void see(const StereoCalibration& cameras, int views) {
     for (int i = 0; i < views; ++i) see(view_by(cameras, 7));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
+#include "line/pose/locate.h"
 #include "watched_target.h"
 
 namespace tripoint {
@@ -16,12 +17,18 @@ using testing::watched_model;
 
 constexpr std::array<std::uint64_t, 4> kScenes{1, 2, 3, 4};
 
+TurnEvidence evidence_of(const LineModel& model, const Pairs& pairs) {
+  const auto points = located_target(pairs, Aligned{}, model);
+  const std::span<const LocatedPoint> all{points->begin(), points->size()};
+  return turn_evidence(all, pose_of_widest_triangle(all), model).value_or(TurnEvidence{});
+}
+
 TurnEvidence evidence_of(const LineModel& model, const TargetView& view) {
   LineModel tolerant = model;  // identifies what the model would refuse
   tolerant.covariance.diagonal().segment<3>(18).setConstant(1e-5);
   const Pairs pairs = match(bench::as_seen(view, kSpot_px), tolerant);
   EXPECT_EQ(pairs.pairs.size(), kWatchedLeds.size());
-  return turn_evidence(pairs, model).value_or(TurnEvidence{});
+  return evidence_of(model, pairs);
 }
 
 Vec3 turn_of(const TurnEquations& equations) {
@@ -92,7 +99,7 @@ TEST(TurnEvidenceTest, ItKnowsWhatAWrongClockWouldDo) {
     timed.seen.at.u_px += moved_px.x();
     timed.seen.at.v_px += moved_px.y();
   }
-  const TurnEquations seen = turn_evidence(pairs, model).value().equations;
+  const TurnEquations seen = evidence_of(model, pairs).equations;
   const Vec3 foretold = seen.col(kClockColumn + 2);
   EXPECT_GT(foretold.norm(), 1.0);
   EXPECT_LT((seen.col(kSeenColumn) - foretold).norm(), 0.02 * foretold.norm());
