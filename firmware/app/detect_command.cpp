@@ -123,13 +123,6 @@ class PictureReader {
   int code_ = number(ExitCode::kWell);
 };
 
-Result<std::optional<ExplanationFolder>> folder_of(const DetectOptions& options) {
-  if (options.explain.empty()) return std::nullopt;
-  return ExplanationFolder::open(options.explain, options.images).map([](ExplanationFolder folder) {
-    return std::optional<ExplanationFolder>(std::move(folder));
-  });
-}
-
 }  // namespace
 
 int detect_command(const DetectOptions& options) {
@@ -139,7 +132,7 @@ int detect_command(const DetectOptions& options) {
   if (options.detector == "sphere") config->detector.kind = ConfiguredDetector::kSphere;
   if (options.detector == "apriltag") config->detector.kind = ConfiguredDetector::kAprilTag;
   if (config->detector.kind == ConfiguredDetector::kAprilTag) return detect_tags(options, config->detector);
-  Result<std::optional<ExplanationFolder>> folder = folder_of(options);
+  auto folder = ExplanationFolder::open_if_named(options.explain, options.images);
   if (!folder) return report(folder.error());
   PictureReader reader(detector_settings(config->detector), std::move(*folder));
   for (const std::filesystem::path& image : options.images) {

@@ -3,10 +3,15 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "app/exit_code.h"
+#include "app/explanation_folder.h"
 #include "capture/image_file.h"
+#include "explain/png_encoder.h"
+#include "explain/tag_explanation.h"
 #include "tags/tag_detector.h"
 #include "tags/tag_points.h"
 
@@ -49,38 +54,66 @@ ordered_json dropped_as_json(const SeenTag& tag) {
           {"margin", tag.decoded.margin}};
 }
 
-ordered_json line_for(const std::filesystem::path& image, TagDetector& detector) {
-  const Result<LoadedImage> loaded = LoadedImage::load(image);
-  if (!loaded) return {{"image", image.string()}, {"error", loaded.error().message}};
-  const SeenTags seen = detector.detect(loaded->picture());
-  ordered_json points = ordered_json::array();
-  ordered_json dropped = ordered_json::array();
-  for (const SeenTag& tag : seen.tags) {
-    if (tag.outline.cause == TagCause::kUnsureBits) {
-      dropped.push_back(dropped_as_json(tag));
+/// The tags of one picture after the other.
+class TagReader {
+ public:
+  TagReader(TagDetector detector, double min_margin, std::optional<ExplanationFolder> folder)
+      : detector_(std::move(detector)), min_margin_(min_margin), folder_(std::move(folder)) {}
+
+  ordered_json line_for(const std::filesystem::path& image) {
+    const Result<LoadedImage> loaded = LoadedImage::load(image);
+    if (!loaded) {
+      code_ = number(ExitCode::kUsage);
+      return {{"image", image.string()}, {"error", loaded.error().message}};
+    }
+    const SeenTags seen = detector_.detect(loaded->picture());
+    ordered_json points = ordered_json::array();
+    ordered_json dropped = ordered_json::array();
+    for (const SeenTag& tag : seen.tags) {
+      if (tag.outline.cause == TagCause::kUnsureBits) {
+        dropped.push_back(dropped_as_json(tag));
+      } else {
+        points.push_back(as_json(tag));
+      }
+    }
+    ordered_json line = {
+        {"image", image.string()}, {"looked_at", true}, {"cut", seen.cut}, {"points", points}, {"dropped", dropped}};
+    if (folder_) explain(explanation_of(loaded->picture(), seen, min_margin_, image.filename().string()), image, line);
+    return line;
+  }
+
+  /// How the program ends after all that was read.
+  [[nodiscard]] int code() const { return code_; }
+
+ private:
+  void explain(const RgbImage& explanation, const std::filesystem::path& image, ordered_json& line) {
+    const auto written =
+        png_of(explanation).and_then([&](const std::string& png) { return folder_->write(image, png); });
+    if (written) {
+      line["explanation"] = written->string();
     } else {
-      points.push_back(as_json(tag));
+      code_ = report(written.error());
     }
   }
-  return {{"image", image.string()}, {"looked_at", true}, {"cut", seen.cut}, {"points", points}, {"dropped", dropped}};
-}
+
+  TagDetector detector_;
+  double min_margin_;
+  std::optional<ExplanationFolder> folder_;
+  int code_ = number(ExitCode::kWell);
+};
 
 }  // namespace
 
 int detect_tags(const DetectOptions& options, const DetectorConfig& config) {
-  if (!options.explain.empty()) {
-    return report(
-        {ErrorCode::kMismatch, "--explain is for LEDs and spheres: why a tag was dropped stands in \"dropped\""});
-  }
   Result<TagDetector> detector = TagDetector::open({.family = options.family, .min_margin = config.min_margin});
   if (!detector) return report({detector.error().code, "--family: " + detector.error().message});
-  int code = number(ExitCode::kWell);
+  auto folder = ExplanationFolder::open_if_named(options.explain, options.images);
+  if (!folder) return report(folder.error());
+  TagReader reader(std::move(*detector), config.min_margin, std::move(*folder));
   for (const std::filesystem::path& image : options.images) {
-    const ordered_json line = line_for(image, *detector);
-    if (line.contains("error")) code = number(ExitCode::kUsage);
-    fmt::print("{}\n", line.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", reader.line_for(image).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
   }
-  return code;
+  return reader.code();
 }
 
 }  // namespace tripoint

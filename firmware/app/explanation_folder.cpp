@@ -27,6 +27,12 @@ Result<ExplanationFolder> ExplanationFolder::open(const fs::path& folder, std::s
   return ExplanationFolder(folder, inputs);
 }
 
+Result<std::optional<ExplanationFolder>> ExplanationFolder::open_if_named(const fs::path& folder,
+                                                                          std::span<const fs::path> inputs) {
+  if (folder.empty()) return std::nullopt;
+  return open(folder, inputs).map([](ExplanationFolder opened) { return std::optional(std::move(opened)); });
+}
+
 ExplanationFolder::ExplanationFolder(fs::path folder, std::span<const fs::path> inputs)
     : folder_(std::move(folder)), inputs_(inputs.begin(), inputs.end()) {}
 

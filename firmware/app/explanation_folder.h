@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
@@ -19,6 +20,10 @@ class ExplanationFolder {
   /// @return kCannotWrite when it cannot be made, or is no folder
   static Result<ExplanationFolder> open(const std::filesystem::path& folder,
                                         std::span<const std::filesystem::path> inputs);
+
+  /// The same, or nothing for an empty path.
+  static Result<std::optional<ExplanationFolder>> open_if_named(const std::filesystem::path& folder,
+                                                                std::span<const std::filesystem::path> inputs);
 
   /// Writes FOLDER/NAME.explain.png, NAME being the input's without its ending; NAME-2, NAME-3 and so on when that name
   /// was given before or is an input's. An image of an earlier run is replaced.

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "explain/finding.h"
-#include "explain/rgb_image.h"
+#include "explain/sheet.h"
 #include "line/detect/detector_settings.h"
 
 namespace tripoint {
-
-inline constexpr ImageSize kCloseUpSize{200, 264};
 
 /// Eight times as large as the picture; four times, twice or as it is for spots that would not fit and for surfaces.
 ///

@@ -1,9 +1,14 @@
 #include "explain/finding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
+#include <utility>
+
+#include "explain/why.h"
 
 namespace tripoint {
 namespace {
@@ -55,6 +60,21 @@ std::vector<Finding> findings_of(const CandidateLog& log, const Detection& detec
   dropped = by_interest(std::move(dropped));
   kept.insert(kept.end(), dropped.begin(), dropped.end());
   return kept;
+}
+
+std::string tally_of_dropped(std::span<const Finding> findings) {
+  std::array<std::pair<int, DropCause>, kDropCauseNames.size()> counts{};
+  for (std::size_t i = 0; i < counts.size(); ++i) counts[i].second = static_cast<DropCause>(i);
+  for (const Finding& finding : findings) {
+    if (!finding.kept()) ++counts[static_cast<std::size_t>(finding.candidate.cause)].first;
+  }
+  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string text;
+  for (const auto& [count, cause] : counts) {
+    if (count == 0) break;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, cause_in_words(cause));
+  }
+  return text;
 }
 
 }  // namespace tripoint

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "line/detect/candidate.h"
@@ -22,5 +24,8 @@ struct Finding {
 /// @return the kept ones in the order of the log, then the dropped ones: of each cause the one that came closest to
 ///         being kept, then of each the next
 std::vector<Finding> findings_of(const CandidateLog& log, const Detection& detection);
+
+/// "3 not red, 1 dim": causes with their number, the most frequent first; empty when nothing was dropped.
+std::string tally_of_dropped(std::span<const Finding> findings);
 
 }  // namespace tripoint

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "explain/look.h"
-#include "explain/why.h"
 
 namespace tripoint {
 namespace {
@@ -62,13 +59,11 @@ class Page {
     x_px_ = kMargin_px;
   }
 
-  /// A mark that `draw` makes around a point, and its meaning.
-  template <typename Draw>
-  void meaning(Draw draw, const std::string& text) {
+  void meaning(const Meaning& meaning) {
     constexpr double kReach_px = 10.0;
-    draw(canvas_, CanvasPoint{x_px_ + kReach_px, y_px_ - 0.5 * kSmall_px});
+    meaning.draw(canvas_, CanvasPoint{x_px_ + kReach_px, y_px_ - 0.5 * kSmall_px});
     x_px_ += 2.0 * kReach_px + 0.5 * kBlank_px;
-    part(text, {kText, kSmall_px});
+    part(meaning.text, {kText, kSmall_px});
   }
 
   [[nodiscard]] RgbImage image() const {
@@ -87,52 +82,18 @@ class Page {
   double y_px_ = kMargin_px + kLarge_px;
 };
 
-void write_legend(Page& page) {
-  constexpr double kReach_px = 9.0;
-  page.meaning(
-      [](Canvas& canvas, CanvasPoint at) {
-        draw_kept(canvas, at, {kReach_px, kReach_px, 0.0});
-      },
-      fmt::format("kept: centre, 3 standard deviations (1 px as {:.0f})", kUncertaintyScale));
-  page.meaning([](Canvas& canvas, CanvasPoint at) { draw_dropped(canvas, at, 7.0); },
-               "dropped: cause, measured against limit");
-  page.meaning(
-      [](Canvas& canvas, CanvasPoint at) {
-        const std::array<Stroke, 1> strokes{circle(at, kReach_px)};
-        canvas.draw(strokes, {kAreaColour, 1.0, 1.0});
-      },
-      "area of the spot");
-  page.rest("", {kText, kSmall_px});
-}
-
 }  // namespace
 
-std::string tally_of_dropped(std::span<const Finding> findings) {
-  std::array<std::pair<int, DropCause>, kDropCauseNames.size()> counts{};
-  for (std::size_t i = 0; i < counts.size(); ++i) counts[i].second = static_cast<DropCause>(i);
-  for (const Finding& finding : findings) {
-    if (!finding.kept()) ++counts[static_cast<std::size_t>(finding.candidate.cause)].first;
-  }
-  std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::string text;
-  for (const auto& [count, cause] : counts) {
-    if (count == 0) break;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, cause_in_words(cause));
-  }
-  return text;
-}
-
-RgbImage heading_of(const Heading& heading, std::span<const Finding> findings, int width_px) {
+RgbImage heading_of(const Heading& heading, int width_px) {
   constexpr int kMostHeight_px = 400;  // cut to what is used
-  const auto kept = std::count_if(findings.begin(), findings.end(), [](const Finding& f) { return f.kept(); });
-  const auto dropped = static_cast<std::ptrdiff_t>(findings.size()) - kept;
   Page page(width_px, kMostHeight_px);
   page.title(heading);
-  page.part(fmt::format("{} kept", kept), {kKeptColour, kMedium_px, true});
-  page.part(fmt::format("{} dropped", dropped), {kDroppedColour, kMedium_px, true});
-  page.rest(tally_of_dropped(findings), {kText, kMedium_px});
+  page.part(fmt::format("{} kept", heading.kept), {kKeptColour, kMedium_px, true});
+  page.part(fmt::format("{} dropped", heading.dropped), {kDroppedColour, kMedium_px, true});
+  page.rest(heading.causes, {kText, kMedium_px});
   for (const std::string& note : heading.notes) page.rest(note, {kFaint, kSmall_px});
-  write_legend(page);
+  for (const Meaning& meaning : heading.legend) page.meaning(meaning);
+  page.rest("", {kText, kSmall_px});
   return page.image();
 }
 

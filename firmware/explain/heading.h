@@ -1,24 +1,31 @@
 // What stands above an explained picture: its name, what was found in it, and what the marks mean.
 #pragma once
 
-#include <span>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "explain/finding.h"
+#include "explain/canvas.h"
 #include "explain/rgb_image.h"
 
 namespace tripoint {
 
-struct Heading {
-  std::string title;
-  std::string size;                ///< of the picture, in words
-  std::vector<std::string> notes;  ///< what a reader must know, one line each
+/// A mark, drawn around a point, and what it says.
+struct Meaning {
+  std::function<void(Canvas&, CanvasPoint)> draw;
+  std::string text;
 };
 
-RgbImage heading_of(const Heading& heading, std::span<const Finding> findings, int width_px);
+struct Heading {
+  std::string title;
+  std::string size;  ///< of the picture, in words
+  int kept = 0;
+  int dropped = 0;
+  std::string causes;              ///< why they were dropped
+  std::vector<std::string> notes;  ///< what a reader must know, one line each
+  std::vector<Meaning> legend;
+};
 
-/// "3 not red, 1 dim": causes with their number, the most frequent first; empty when nothing was dropped.
-std::string tally_of_dropped(std::span<const Finding> findings);
+RgbImage heading_of(const Heading& heading, int width_px);
 
 }  // namespace tripoint

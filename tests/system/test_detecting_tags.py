@@ -4,7 +4,6 @@ import json
 from pathlib import Path
 
 import numpy as np
-import pytest
 from system.daemon import finished
 from system.pictures import png
 
@@ -44,12 +43,26 @@ def test_a_tag_of_another_family_is_not_found(tmp_path: Path) -> None:
     assert json.loads(run.stdout)["points"] == []
 
 
-@pytest.mark.parametrize(
-    ("asked", "said"), [(("--family", "tag99"), "tagStandard41h12"), (("--explain", "why"), "dropped")]
-)
-def test_what_cannot_be_done_is_said(tmp_path: Path, asked: tuple[str, str], said: str) -> None:
-    run = finished("detect", str(tag(tmp_path / "tag.png")), "--detector", "apriltag", *asked)
+def test_the_tag_is_explained_in_an_image(tmp_path: Path) -> None:
+    image, why = tag(tmp_path / "tag.png"), tmp_path / "why"
+    run = finished("detect", str(image), "--detector", "apriltag", "--json", "--explain", str(why))
+    assert run.returncode == 0, run.stderr
+    line = json.loads(run.stdout)
+    assert line["explanation"] == str(why / "tag.explain.png")
+    assert (why / "tag.explain.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+
+
+def test_a_folder_that_cannot_be_made_is_said(tmp_path: Path) -> None:
+    image = tag(tmp_path / "tag.png")
+    run = finished("detect", str(image), "--detector", "apriltag", "--explain", str(image))
     assert run.returncode == 2
     assert run.stdout == ""
-    assert asked[0] in run.stderr
-    assert said in run.stderr
+    assert str(image) in run.stderr
+
+
+def test_a_family_that_is_none_is_said(tmp_path: Path) -> None:
+    run = finished("detect", str(tag(tmp_path / "tag.png")), "--detector", "apriltag", "--family", "tag99")
+    assert run.returncode == 2
+    assert run.stdout == ""
+    assert "--family" in run.stderr
+    assert "tagStandard41h12" in run.stderr

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "explain/finding.h"
+
 namespace tripoint {
 namespace {
 
@@ -28,13 +30,15 @@ TEST(HeadingTest, TheMostFrequentCauseIsNamedFirst) {
 TEST(HeadingTest, NothingDroppedIsNothingCounted) { EXPECT_EQ(tally_of_dropped({}), ""); }
 
 TEST(HeadingTest, ItIsAsHighAsWhatItSays) {
-  const Heading short_one{.title = "a.png", .size = "640 x 480 px", .notes = {}};
+  Heading short_one;
+  short_one.title = "a.png";
+  short_one.size = "640 x 480 px";
   Heading long_one = short_one;
   long_one.title = std::string(1000, 'm');
   long_one.notes = {"one", "two"};
-  const auto findings = all_causes(12);
-  const RgbImage low = heading_of(short_one, {}, 800);
-  const RgbImage high = heading_of(long_one, findings, 800);
+  long_one.causes = tally_of_dropped(all_causes(12));
+  const RgbImage low = heading_of(short_one, 800);
+  const RgbImage high = heading_of(long_one, 800);
   EXPECT_EQ(low.size.width_px, 800);
   EXPECT_EQ(low.values.size(), low.index(0, low.size.height_px));
   EXPECT_GE(high.size.height_px, low.size.height_px + 3 * 20);  // two notes, and causes on more than one line

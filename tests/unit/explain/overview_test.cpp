@@ -41,14 +41,14 @@ TEST(OverviewTest, SmallPicturesGrowAndLargeOnesShrink) {
 
 // Pixel (100, 50) fills 200 to 201 and 100 to 101 of a picture that is shown twice as large.
 TEST(OverviewTest, TheCrossIsWhereTheSpotIs) {
-  const RgbImage image = overview_with({kept_at(100.0, 50.0)}).image;
+  const RgbImage image = overview_with({kept_at(100.0, 50.0)}).picture.image;
   for (const int x : {199, 200, 201, 202}) EXPECT_GT(image.at(x, 100).green, 150) << x;
   EXPECT_EQ(image.at(150, 100), kMiddle);
 }
 
 // 0.1 px in each direction: three of them are drawn as 7.5 px.
 TEST(OverviewTest, TheEllipseIsThreeStandardDeviations) {
-  const RgbImage image = overview_with({kept_at(100.0, 50.0)}).image;
+  const RgbImage image = overview_with({kept_at(100.0, 50.0)}).picture.image;
   int strongest_x = 0;
   for (int x = 206; x < 214; ++x) {  // beyond the arm of the cross
     if (image.at(x, 100).green > image.at(strongest_x, 100).green) strongest_x = x;
@@ -57,16 +57,16 @@ TEST(OverviewTest, TheEllipseIsThreeStandardDeviations) {
 }
 
 TEST(OverviewTest, ADroppedOneHasASquareAndAPlateBesideIt) {
-  const RgbImage image = overview_with({dropped_at(3, 100.0, 50.0)}).image;
+  const RgbImage image = overview_with({dropped_at(3, 100.0, 50.0)}).picture.image;
   EXPECT_GT(image.at(200 - 7, 100).red, 180);
   EXPECT_LT(image.at(200 + 14, 93).red, 60);  // the plate of the label on the right
 }
 
 TEST(OverviewTest, ADarkPictureIsShownBrighterAndSaysSo) {
   const Overview dark = overview_of(plain_image({640, 480}, {16, 16, 16}), {}, LedDetectorSettings{});
-  EXPECT_TRUE(dark.brightened);
-  EXPECT_EQ(dark.image.at(5, 5), (Colour{64, 64, 64}));
-  EXPECT_FALSE(overview_with({}).brightened);
+  EXPECT_TRUE(dark.picture.brightened);
+  EXPECT_EQ(dark.picture.image.at(5, 5), (Colour{64, 64, 64}));
+  EXPECT_FALSE(overview_with({}).picture.brightened);
 }
 
 TEST(OverviewTest, EveryMarkIsLabelledOrCounted) {
@@ -83,8 +83,8 @@ TEST(OverviewTest, MarksAtTheBordersAreDrawnAndLabelled) {
                                      dropped_at(4, 639.0, 479.0)};
   const Overview overview = overview_with(corners);
   EXPECT_EQ(overview.unlabelled, 0);
-  EXPECT_EQ(overview.image.size, (ImageSize{1280, 960}));
-  EXPECT_GT(overview.image.at(1279 - 7, 955).red, 180);
+  EXPECT_EQ(overview.picture.image.size, (ImageSize{1280, 960}));
+  EXPECT_GT(overview.picture.image.at(1279 - 7, 955).red, 180);
 }
 
 }  // namespace
