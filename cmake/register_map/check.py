@@ -19,6 +19,7 @@ def problems(register_map: RegisterMap) -> list[str]:
         for register in block.registers:
             found += _of_register(register, block, register_map)
     found += _overlaps(register_map)
+    found += _of_head(register_map)
     found += [
         f"server: {name} must be a whole number greater than 0"
         for name, value in asdict(register_map.server).items()
@@ -93,6 +94,15 @@ def _overlaps(register_map: RegisterMap) -> Iterator[str]:
                 if address in taken:
                     yield f"register {address} belongs to {taken[address]} and to {name}"
                 taken[address] = name
+
+
+def _of_head(register_map: RegisterMap) -> Iterator[str]:
+    """What a client reads of the map's version and length is what the head of the file says."""
+    head = {"map_major": register_map.major, "map_minor": register_map.minor, "image_length": register_map.image_length}
+    for register in register_map.block("identity").registers:
+        said = head.get(register.name, register.constant)
+        if register.constant != said:
+            yield f"register identity.{register.name}: reads {register.constant}, but the map says {said}"
 
 
 def _twice(what: str, names: list[str]) -> Iterator[str]:

@@ -58,6 +58,8 @@ def test_the_map_of_the_tree_is_sound_and_its_page_up_to_date() -> None:
         (lambda d: register(d, "measured", "x").update(name="X position"), "is not snake_case"),
         (lambda d: register(d, "points", "x").update(stride=1), "repeated every 1 registers but 2 long"),
         (lambda d: register(d, "measured", "y").update(name="x"), "'x' exists twice"),
+        (lambda d: d.update(minor=7), "map_minor: reads 2, but the map says 7"),
+        (lambda d: register(d, "identity", "map_major").update(constant=2), "map_major: reads 2, but the map says 1"),
         (lambda d: d["server"].update(idle_ms=0), "idle_ms must be a whole number greater than 0"),
         (lambda d: d["bits"][0]["bits"][3].update(bit=16), "outside 0 to 15"),
         (lambda d: d["bits"][0]["bits"][3].update(bit=2), "number in bits status '2' exists twice"),

@@ -56,7 +56,7 @@ def test_the_device_identification_names_vendor_product_and_map(client: ModbusTc
     assert set(basic) == {0, 1, 2}
     assert all(basic.values())
     extended = client.read_device_information(read_code=4, object_id=0x80, device_id=UNIT_ID)
-    assert extended.information[0x80] == b"1.1"  # type: ignore[attr-defined]
+    assert extended.information[0x80] == b"1.2"  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(("address", "count"), [(999, 2), (1000, 2), (1001, 1), (1999, 1), (2999, 2), (3000, 1)])
