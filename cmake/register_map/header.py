@@ -41,7 +41,7 @@ def header(register_map: RegisterMap) -> str:
         lines.append(f"inline constexpr std::uint32_t {_constant(name)} = {value};")
     lines.append("}")
     for name, rows in register_map.bits.items():
-        lines += _enumeration(f"{_pascal(name)}Bit", rows)
+        lines += _enumeration(f"{_pascal(name)}Bit", rows) + _bit_names(name, rows)
     for name, rows in register_map.choices.items():
         lines += _enumeration(_pascal(name), rows)
     for block in register_map.blocks:
@@ -62,6 +62,11 @@ def _constant(name: str) -> str:
 def _enumeration(name: str, rows: tuple[Name, ...]) -> list[str]:
     body = [f"  {_constant(row.name)} = {row.value},  ///< {row.meaning}" for row in rows]
     return ["", f"enum class {name} : std::uint16_t {{", *body, "};"]
+
+
+def _bit_names(name: str, rows: tuple[Name, ...]) -> list[str]:
+    body = [f'  {{{row.value}, "{row.name}"}},' for row in rows]
+    return [f"inline constexpr std::array<BitName, {len(rows)}> {_constant(name)}Bits{{{{", *body, "}};"]
 
 
 def _block(block: Block) -> list[str]:

@@ -39,8 +39,10 @@ class Measuring {
   /// Runs until stop is requested, noticed within 20 ms; the last thing it publishes is that the unit has stopped.
   void run(const std::stop_token& stop);
 
- private:
+  /// What run does with each event: a verdict is published, and without one what has become of the cameras.
   void step(const Event& event);
+
+ private:
   void publish(const PerSide<CameraStatus>& cameras, TimePoint now);
   /// Swaps the model when the judgement of the calibration has changed.
   bool check_cameras(const PerSide<CameraStatus>& cameras);

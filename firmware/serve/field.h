@@ -34,6 +34,12 @@ struct Row {
   std::string_view name;
 };
 
+/// A bit of a register of bits, as the map names it.
+struct BitName {
+  std::uint16_t bit;
+  std::string_view name;
+};
+
 /// The raw number of a value, rounded; unknown when the value is absent, not finite or, for signed numbers, too
 /// large. Unsigned numbers that are too large read as the highest one: "that or more".
 template <typename T>

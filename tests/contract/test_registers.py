@@ -183,6 +183,14 @@ def test_the_page_gives_a_clients_limits_as_the_server_holds_them() -> None:
     assert "kIdleMs = 12345;" in header(changed)
 
 
+def test_the_header_names_each_bit_as_the_map_does() -> None:
+    register_map = load(check_registers.MAP)
+    for name, rows in register_map.bits.items():
+        assert f"k{name.capitalize()}Bits" in header(register_map)
+        for row in rows:
+            assert f'{{{row.value}, "{row.name}"}},' in header(register_map)
+
+
 def test_every_register_has_its_row_on_the_page_and_its_field_in_the_header() -> None:
     register_map = load(check_registers.MAP)
     reference, code = page(register_map), header(register_map)

@@ -38,12 +38,7 @@ double time_s(const Event& event) { return seconds(std::get<Observation>(event).
 
 /// Fourteen seconds of free-running cameras, of which the right one stands turned for four.
 std::vector<Event> knocked_for_a_while(const LineModel& model, const Vec3& turn_rad, double speed_mm_per_s) {
-  LineModel knocked = model;
-  knocked.calibration.right_from_left.prerotate(Eigen::AngleAxisd(turn_rad.norm(), turn_rad.stableNormalized()));
-  // The left camera stays where it is; the frame of the rig moves with the right one.
-  knocked.rig = *rig_of(knocked.calibration);
-  const Isometry3 left_stays = knocked.rig.camera_from_rig.left.inverse() * model.rig.camera_from_rig.left;
-  for (const Side side : kBothSides) knocked.rig.camera_from_rig[side] = knocked.rig.camera_from_rig[side] * left_stays;
+  const LineModel knocked = testing::with_right_camera_turned(model, turn_rad);
   testing::Shooting shooting = testing::free_running();
   shooting.duration_s = 14.0;
   std::vector<Event> events = shot(model, three_leds(speed_mm_per_s), shooting);

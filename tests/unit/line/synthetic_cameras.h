@@ -40,6 +40,16 @@ inline LineModel webcam_model() {
   return model;
 }
 
+/// The right camera stands turned about its centre; the left one stays where it is in the reference frame of before.
+inline LineModel with_right_camera_turned(const LineModel& model, const Vec3& turn_rad) {
+  LineModel turned = model;
+  turned.calibration.right_from_left.prerotate(Eigen::AngleAxisd(turn_rad.norm(), turn_rad.stableNormalized()));
+  turned.rig = *rig_of(turned.calibration);
+  const Isometry3 left_stays = turned.rig.camera_from_rig.left.inverse() * model.rig.camera_from_rig.left;
+  for (const Side side : kBothSides) turned.rig.camera_from_rig[side] = turned.rig.camera_from_rig[side] * left_stays;
+  return turned;
+}
+
 inline std::shared_ptr<const LineModel> shared_model(const LineModel& model) {
   return std::make_shared<const LineModel>(model);
 }
