@@ -42,12 +42,21 @@ PoseParameters difference(const Isometry3& from, const Isometry3& to) {
 }
 
 TEST(ThreePointFrameTest, IsThatOfTheVectors) {
-  for (const auto& c : testing::vectors("C_three_point_frame")) {
-    const Isometry3 frame =
-        three_point_frame(testing::vec3(c["P1_mm"]), testing::vec3(c["P2_mm"]), testing::vec3(c["P3_mm"]));
+  const auto frames = testing::vectors("C_three_point_frame");
+  ASSERT_EQ(frames.size(), 5U);
+  for (const auto& c : frames) {
+    const Vec3 p1 = testing::vec3(c["P1_mm"]);
+    const Vec3 p2 = testing::vec3(c["P2_mm"]);
+    const Vec3 p3 = testing::vec3(c["P3_mm"]);
+    const Isometry3 frame = three_point_frame(p1, p2, p3);
     EXPECT_LT((frame.linear().col(0) - testing::vec3(c["x"])).norm(), 1e-14);
     EXPECT_LT((frame.linear().col(1) - testing::vec3(c["y"])).norm(), 1e-14);
     EXPECT_LT((frame.linear().col(2) - testing::vec3(c["z"])).norm(), 1e-14);
+    // Eq. 12 as printed takes the line from P3 to the middle of the two others for z.
+    const Vec3 printed = 0.5 * (p1 + p2) - p3;
+    const Vec3 z = frame.linear().col(2);
+    EXPECT_NEAR(std::atan2(z.cross(printed).norm(), z.dot(printed)) * 180.0 / M_PI,
+                testing::number(c["printed_eq12_z_axis_error_deg"]), 1e-12);
   }
 }
 

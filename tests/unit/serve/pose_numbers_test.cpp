@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <random>
+#include <string>
 
+#include "geometry/rigid_fit.h"
 #include "places.h"
 
 namespace tripoint {
@@ -22,24 +24,49 @@ Matrix3 turned(double a, double b, double c) {
       .toRotationMatrix();
 }
 
-TEST(OrientationTest, AgreesWithThePublishedVectors) {
+nlohmann::json vectors(const std::string& name) {
   std::ifstream file(test::top_folder() / "tests/vectors/paper_equations.json");
-  ASSERT_TRUE(file.is_open());
-  const auto vectors = nlohmann::json::parse(file)["D_roll_pitch_yaw"];
-  ASSERT_GE(vectors.size(), 6U);
-  for (const auto& vector : vectors) {
+  return nlohmann::json::parse(file).at(name);
+}
+
+Vec3 vec3(const nlohmann::json& numbers) {
+  const auto [x, y, z] = numbers.get<std::array<double, 3>>();
+  return {x, y, z};
+}
+
+void expect_same_angles(const Vec3& found_rad, const Vec3& expected_deg, double tolerance_rad) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(std::remainder(found_rad[i] - expected_deg[i] * kDegree, 2.0 * std::numbers::pi), 0.0, tolerance_rad)
+        << "of " << expected_deg.transpose() << " deg, angle " << i;
+  }
+}
+
+TEST(OrientationTest, AgreesWithThePublishedVectors) {
+  const auto turns = vectors("D_roll_pitch_yaw");
+  ASSERT_EQ(turns.size(), 6U);
+  for (const auto& vector : turns) {
     Matrix3 rotation;
-    const auto rows = vector["R"].get<std::array<std::array<double, 3>, 3>>();
-    for (std::size_t i = 0; i < 9; ++i) rotation(static_cast<int>(i / 3), static_cast<int>(i % 3)) = rows[i / 3][i % 3];
+    for (int row = 0; row < 3; ++row) rotation.row(row) = vec3(vector["R"][static_cast<std::size_t>(row)]);
     const auto found = orientation_of(rotation, Matrix3::Zero());
     ASSERT_TRUE(found);
     EXPECT_EQ(found->gimbal_lock, vector["gimbal_lock"].get<bool>());
     // At B = 89.999999 deg the horizontal part of x is 1.7e-8, known to 1e-16 / 1.7e-8 = 6e-9 rad.
-    const auto expected_deg = vector["phi_theta_psi_deg"].get<std::array<double, 3>>();
-    for (int i = 0; i < 3; ++i) {
-      const double expected = expected_deg[static_cast<std::size_t>(i)] * kDegree;
-      EXPECT_NEAR(std::remainder(found->abc_rad[i] - expected, 2.0 * std::numbers::pi), 0.0, 2e-8) << vector["R"];
-    }
+    const Vec3 angles_deg = vec3(vector["phi_theta_psi_deg"]);
+    expect_same_angles(found->abc_rad, angles_deg, 2e-8);
+    const Vec3 angles_rad = angles_deg * kDegree;
+    EXPECT_LT((turned(angles_rad[0], angles_rad[1], angles_rad[2]) - rotation).norm(), 1e-14) << "Rz(A) Ry(B) Rx(C)";
+  }
+}
+
+TEST(OrientationTest, OfThreePointsAgreesWithThePublishedVectors) {
+  const auto frames = vectors("C_three_point_frame");
+  ASSERT_EQ(frames.size(), 5U);
+  for (const auto& vector : frames) {
+    const Isometry3 frame = three_point_frame(vec3(vector["P1_mm"]), vec3(vector["P2_mm"]), vec3(vector["P3_mm"]));
+    const auto found = orientation_of(frame.linear(), Matrix3::Zero());
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->gimbal_lock);
+    expect_same_angles(found->abc_rad, vec3(vector["roll_pitch_yaw_phi_theta_psi_deg"]), 1e-14);
   }
 }
 
