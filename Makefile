@@ -82,6 +82,12 @@ test-trixie: ## build and test the C++ in a Debian 13 chroot
 docs: setup ## make the generated reference pages anew
 	@$(RUN)/python cmake/registers.py docs
 
+.PHONY: pictures
+pictures: build ## draw the plots of docs/pictures anew, from what the programs measure in rendered pictures
+	@deploy/dev/python pictures
+	@cmake --build build/release -j $(JOBS) --target draw_calibrations >build/build-pictures.log || { tail -n 40 build/build-pictures.log; exit 1; }
+	@build/pictures-venv/bin/python deploy/dev/pictures/draw.py build/release/bin docs/pictures
+
 .PHONY: hook
 hook: setup ## from now on run make check before each commit (pre-commit)
 	@deploy/dev/install hook
@@ -91,7 +97,7 @@ hook: setup ## from now on run make check before each commit (pre-commit)
 format: setup ## format everything
 	@deploy/dev/install test
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
-	@$(RUN)/ruff format --quiet host tests
+	@$(RUN)/ruff format --quiet host tests cmake firmware/bench deploy/dev/pictures
 
 .PHONY: clean
 clean: ## remove what was built

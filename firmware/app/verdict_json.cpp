@@ -41,6 +41,10 @@ ordered_json corner_of(const Matrix6& matrix, int size) {
   return rows;
 }
 
+ordered_json or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
 ordered_json quaternion(const TargetPose& pose) {
   if (!pose.output_from_target) return nullptr;
   Eigen::Quaterniond q(*pose.output_from_target);
@@ -72,6 +76,8 @@ std::string verdict_json(const Measurement& measurement, OutputFrame frame) {
       {"orientation_valid", oriented},
       {"mount_watched", measurement.mount_watched},
       {"faults", names(measurement.faults)},
+      {"side_length_error_mm", or_null(measurement.side_length_error_mm)},
+      {"decalibration_mm", or_null(measurement.decalibration_mm)},
       {"position_mm", pose ? as_json(pose->position_in_output_mm) : ordered_json(nullptr)},
       {"quaternion_wxyz", pose ? quaternion(*pose) : ordered_json(nullptr)},
       {"covariance", pose ? corner_of(pose->noise + pose->shared, size) : ordered_json(nullptr)},

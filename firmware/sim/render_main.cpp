@@ -33,15 +33,17 @@ struct Options {
   bool red_lamps = false;
   std::vector<double> datum_mm;  // none, or x, y, z
   std::string tone = "linear";
+  std::optional<double> read_noise;
+  double target_scale = 1.0;
   int exposure_us = 5000;
   int quality = 90;
   std::uint64_t seed = 1;
 };
 
-/// A scalene triangle of 100, 80 and 60 mm; a single LED is the target's origin.
-std::vector<Vec3> led_places(int leds) {
+/// A scalene triangle of 100, 80 and 60 mm times `scale`; a single LED is the target's origin.
+std::vector<Vec3> led_places(int leds, double scale) {
   if (leds == 1) return {Vec3::Zero()};
-  return {Vec3(0.0, 0.0, 0.0), Vec3(100.0, 0.0, 0.0), Vec3(64.0, 48.0, 0.0)};
+  return {Vec3(0.0, 0.0, 0.0), Vec3(100.0 * scale, 0.0, 0.0), Vec3(64.0 * scale, 48.0 * scale, 0.0)};
 }
 
 Result<Trajectory> chosen_trajectory(const Options& options) {
@@ -57,7 +59,8 @@ Result<SimulationSettings> open_scene(const Options& options) {
   SimulationSettings settings;
   settings.trajectory = *trajectory;
   if (options.trajectory.empty() && options.scenario == "bumped-camera") settings.knock = bumped_camera();
-  settings.scene = led_scene(led_places(options.leds.value_or(1)), options.led_peak.value_or(1.5));
+  settings.scene =
+      led_scene(led_places(options.leds.value_or(1), options.target_scale), options.led_peak.value_or(1.5));
   if (const std::vector<double>& at = options.datum_mm; !at.empty()) {
     settings.scene.lights.push_back(fixed_lamp(settings.scene, {at[0], at[1], at[2]}));
   }
@@ -83,6 +86,7 @@ Result<void> render_recording(const Options& options) {
   settings->format = options.format == "jpg" ? PixelFormat::kMjpeg : PixelFormat::kYuyv;
   settings->mjpeg_quality = options.quality;
   if (options.tone == "webcam") settings->tone = webcam_tone();
+  settings->sensor.read_noise = options.read_noise.value_or(settings->sensor.read_noise);
   settings->exposure = std::chrono::microseconds{options.exposure_us};
   settings->rate_hz = options.frames / seconds(settings->trajectory.period);
   return SimulatedWorld::create(*settings, TimePoint{settings->trajectory.period})
@@ -119,6 +123,8 @@ int run(int argc, char** argv) {
   app.add_option("--leds", options.leds, "1, or 3 for a triangle of 100, 80, 60 mm; clutter: 3 or 4 by seed")
       ->check(CLI::IsMember({1, 3}))
       ->default_str("1");
+  app.add_option("--target-scale", options.target_scale, "by which the triangle is larger; not with clutter")
+      ->check(CLI::Range(0.1, 10.0));
   app.add_option("--led-peak", options.led_peak,
                  "brightness of an LED in units of clip; 1 to 3 is recommended; clutter: 1 to 3 by seed")
       ->check(CLI::Range(0.0, 100.0))
@@ -131,6 +137,10 @@ int run(int argc, char** argv) {
   app.add_flag("--red-lamps", options.red_lamps, "clutter: with one or two lamps like the LEDs");
   app.add_option("--tone", options.tone, "linear, or webcam: a colour matrix and gamma 2.2")
       ->check(CLI::IsMember({"linear", "webcam"}));
+  app.add_option("--read-noise", options.read_noise,
+                 "standard deviation of the sensor's noise in units of clip; clutter: by seed")
+      ->check(CLI::Range(0.0, 0.1))
+      ->default_str("0.002");
   app.add_option("--exposure-us", options.exposure_us, "exposure time, us")->check(CLI::Range(0, 1'000'000));
   app.add_option("--quality", options.quality, "of a JPEG, 1 to 100; with --format jpg");
   app.add_option("--seed", options.seed, "of the noise and the clutter: the same seed gives the same pictures");

@@ -22,6 +22,8 @@ TEST(VerdictJsonTest, WithoutAPoseEverythingUnknownIsNull) {
   EXPECT_EQ(line["faults"], (json{"not_seen_left", "ambiguous"}));
   EXPECT_TRUE(line["position_mm"].is_null());
   EXPECT_TRUE(line["covariance"].is_null());
+  EXPECT_TRUE(line["side_length_error_mm"].is_null());
+  EXPECT_TRUE(line["decalibration_mm"].is_null());
   EXPECT_EQ(line["frame"], "reference");
 }
 
@@ -39,6 +41,16 @@ TEST(VerdictJsonTest, APositionHasThreeByThreeCovariancesSummed) {
   EXPECT_EQ(line["covariance_shared"][0][0], 0.5);
   EXPECT_TRUE(line["quaternion_wxyz"].is_null());
   EXPECT_EQ(line["frame"], "left_camera");
+}
+
+TEST(VerdictJsonTest, WhatTheMountShowsIsToldBesideAFaultToo) {
+  Measurement measurement;
+  measurement.faults = {Fault::kDecalibration};
+  measurement.side_length_error_mm = -0.25;
+  measurement.decalibration_mm = 2.5;
+  const json line = json::parse(verdict_json(measurement, OutputFrame::kReference));
+  EXPECT_EQ(line["side_length_error_mm"], -0.25);
+  EXPECT_EQ(line["decalibration_mm"], 2.5);
 }
 
 TEST(VerdictJsonTest, AnOrientationHasAPositiveScalarPart) {
