@@ -165,8 +165,12 @@ std::string why(const SeenTag& tag, double min_margin) {
       return "an edge is bent or hidden";
     case TagCause::kBlurred:
       return "an edge is too wide";
+    case TagCause::kUnevenLight:
+      return "light beside an edge is uneven";
     case TagCause::kMovedCorner:
       return "edges meet beside a corner";
+    case TagCause::kShiftedCells:
+      return "cells lie beside their places";
   }
   return "";
 }

@@ -12,7 +12,6 @@
 namespace tripoint {
 namespace {
 
-constexpr std::size_t kMostCrossings = 48;
 constexpr std::size_t kFewestCrossings = 5;
 constexpr double kSpacing_px = 1.5;       // apart enough that the noise of one says little of the next
 constexpr double kCornerMargin_px = 2.0;  // blur rounds the corners
@@ -24,6 +23,9 @@ constexpr double kShareSeen = 0.6;       // of the crossings; fewer, and a part 
 // the edge lies; at a fifth (a blur of 1.3 px seen over 2.5 px) each look takes off three quarters of what the last
 // erred.
 constexpr double kWidestSlope = 0.2;
+// Of the contrast. Noise of 2 luma steps is 0.02 of a contrast of 60. What changes the light at the end of the reach by
+// so much moves a crossing by as much of the reach, 0.15 px.
+constexpr double kMostUneven = 0.06;
 constexpr double kOutlier = 3.0;           // deviations
 constexpr double kLeastScatter_px = 0.02;  // of a crossing: what interpolation between pixels errs by
 
@@ -58,30 +60,29 @@ int steps_to_each_side(const RoughEdge& edge) {
 enum class Look { kSeen, kBorder, kFlat };
 
 /// One line across the edge: the centroid of the slope of the luma from the inside to the outside.
-Look look_across(const LumaCopy& luma, const RoughEdge& edge, const Axes& axes, Crossing& crossing) {
+Look look_across(const LumaView& luma, const RoughEdge& edge, const Axes& axes, Crossing& crossing) {
   const Vec2 middle_px = axes.from_px + crossing.along_px * axes.along;
   const int steps = steps_to_each_side(edge);
-  double last = 0.0;
+  const double reach_px = steps * kStep_px;
+  const std::size_t samples = 2 * static_cast<std::size_t>(steps) + 1;
+  const std::optional<LumaProfile> profile =
+      luma.along(middle_px - reach_px * axes.outwards, middle_px + reach_px * axes.outwards, samples);
+  if (!profile) return Look::kBorder;
   double moment = 0.0;
   double second_moment = 0.0;
-  for (int step = -steps; step <= steps; ++step) {
-    const std::optional<double> value = luma.at(middle_px + step * kStep_px * axes.outwards);
-    if (!value) return Look::kBorder;
-    if (step == -steps) {
-      crossing.inside = *value;
-    } else {
-      const double across_px = (step - 0.5) * kStep_px;
-      moment += (*value - last) * across_px;
-      second_moment += (*value - last) * across_px * across_px;
-    }
-    last = *value;
+  for (std::size_t i = 1; i < samples; ++i) {
+    const auto slope = static_cast<double>((*profile)[i] - (*profile)[i - 1]);
+    const double across_px = (static_cast<double>(i) - 0.5) * kStep_px - reach_px;
+    moment += slope * across_px;
+    second_moment += slope * across_px * across_px;
   }
-  crossing.outside = last;
+  crossing.inside = static_cast<double>((*profile)[0]);
+  crossing.outside = static_cast<double>(profile->back());
   const double rise = crossing.outside - crossing.inside;
   if ((edge.light_inside ? -rise : rise) < kLeastContrast) return Look::kFlat;
   crossing.across_px = moment / rise;
   crossing.width_px2 = second_moment / rise - crossing.across_px * crossing.across_px;
-  return std::abs(crossing.across_px) < steps * kStep_px ? Look::kSeen : Look::kFlat;
+  return std::abs(crossing.across_px) < reach_px ? Look::kSeen : Look::kFlat;
 }
 
 struct Line {
@@ -138,38 +139,61 @@ Crossings without_outliers(const Crossings& all) {
 
 EdgeFit refused(TagCause cause) { return {cause, {}}; }
 
+double mean_width_px2(const Crossings& crossings) {
+  double sum_px2 = 0.0;
+  for (const Crossing& crossing : crossings) sum_px2 += crossing.width_px2;
+  return sum_px2 / static_cast<double>(crossings.size());
+}
+
+/// @param line  through the crossings: where they are along the edge
+LightBeside light_beside(const Crossings& crossings, const Line& line, double Crossing::*side, double length_px) {
+  LightBeside beside;
+  const auto count = static_cast<double>(crossings.size());
+  double mixed = 0.0;
+  for (const Crossing& crossing : crossings) {
+    beside.mean += crossing.*side / count;
+    mixed += crossing.*side * (crossing.along_px - line.mean_along_px);
+  }
+  const double per_px = mixed / line.spread_px2;
+  double squares = 0.0;
+  for (const Crossing& crossing : crossings) {
+    squares += std::pow(crossing.*side - beside.mean - per_px * (crossing.along_px - line.mean_along_px), 2);
+  }
+  beside.at_from = beside.mean - per_px * line.mean_along_px;
+  beside.at_to = beside.mean + per_px * (length_px - line.mean_along_px);
+  beside.scatter = std::sqrt(squares / (count - 2.0));
+  return beside;
+}
+
 EdgeFit fit_of(const Crossings& crossings, const RoughEdge& edge, const Axes& axes) {
   const Line line = line_through({crossings.begin(), crossings.size()});
   if (line.scatter_px > edge.most_scatter_px) return refused(TagCause::kCrookedEdge);
-  const double variance_px2 = std::pow(std::max(line.scatter_px, kLeastScatter_px), 2);
-  double inside = 0.0;
-  double outside = 0.0;
-  double width_px2 = 0.0;
-  const auto count = static_cast<double>(crossings.size());
-  for (const Crossing& crossing : crossings) {
-    inside += crossing.inside / count;
-    outside += crossing.outside / count;
-    width_px2 += crossing.width_px2 / count;
-  }
-  if (!(width_px2 <= kWidestSlope * std::pow(steps_to_each_side(edge) * kStep_px, 2)))
+  if (!(mean_width_px2(crossings) <= kWidestSlope * std::pow(steps_to_each_side(edge) * kStep_px, 2))) {
     return refused(TagCause::kBlurred);
+  }
+  const double variance_px2 = std::pow(std::max(line.scatter_px, kLeastScatter_px), 2);
   EdgeFit fit;
   fit.line.middle_px = axes.from_px + line.mean_along_px * axes.along + line.mean_across_px * axes.outwards;
   fit.line.along = (axes.along + line.slope * axes.outwards).normalized();
-  fit.line.across_variance_px2 = variance_px2 / count;
+  fit.line.across_variance_px2 = variance_px2 / static_cast<double>(crossings.size());
   fit.line.angle_variance_rad2 = variance_px2 / line.spread_px2;
+  const LightBeside inside = light_beside(crossings, line, &Crossing::inside, axes.length_px);
+  const LightBeside outside = light_beside(crossings, line, &Crossing::outside, axes.length_px);
   fit.line.light = edge.light_inside ? inside : outside;
   fit.line.dark = edge.light_inside ? outside : inside;
+  const double contrast = fit.line.light.mean - fit.line.dark.mean;
+  const double scatter = std::max(inside.scatter, outside.scatter);
+  if (edge.even_light && !(scatter <= kMostUneven * contrast)) return refused(TagCause::kUnevenLight);
   return fit;
 }
 
 }  // namespace
 
-EdgeFit edge_line(const LumaCopy& luma, const RoughEdge& edge) {
+EdgeFit edge_line(const LumaView& luma, const RoughEdge& edge) {
   const Axes axes = axes_of(edge);
   const double usable_px = axes.length_px - 2.0 * kCornerMargin_px;
-  const auto planned = static_cast<std::size_t>(
-      std::clamp(usable_px / kSpacing_px, 0.0, static_cast<double>(kMostCrossings) - 1.0) + 1.0);
+  const auto most = static_cast<double>(std::min(edge.most_crossings, kMostCrossings));
+  const auto planned = static_cast<std::size_t>(std::clamp(usable_px / kSpacing_px + 1.0, 0.0, most));
   if (usable_px <= 0.0 || planned < kFewestCrossings) return refused(TagCause::kTooSmall);
 
   Crossings seen;

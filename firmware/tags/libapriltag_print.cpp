@@ -29,9 +29,19 @@ void end(image_u8_t* picture) {
 /// The picture that the library would print, a pixel a cell.
 TagCells cells_of(apriltag_family_t* family, int id) {
   const std::unique_ptr<image_u8_t, void (*)(image_u8_t*)> picture(pictured(apriltag_to_image, family, id), end);
-  TagCells cells{.across = family->width_at_border, .total = picture->width, .light = {}};
+  TagCells cells;
+  cells.across = family->width_at_border;
+  cells.total = picture->width;
   for (int y = 0; y < picture->height; ++y) {
     for (int x = 0; x < picture->width; ++x) cells.light.push_back(picture->buf[y * picture->stride + x] > kMiddle);
+  }
+  cells.read.resize(cells.light.size());
+  const int before = (cells.total - cells.across) / 2;  // the family counts from the square with the corners
+  for (std::uint32_t bit = 0; bit < family->nbits; ++bit) {
+    const int row = static_cast<int>(family->bit_y[bit]) + before;
+    const int column = static_cast<int>(family->bit_x[bit]) + before;
+    const int cell = row * cells.total + column;
+    cells.read[static_cast<std::size_t>(cell)] = true;
   }
   return cells;
 }

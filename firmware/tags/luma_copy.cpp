@@ -1,7 +1,6 @@
 #include "tags/luma_copy.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "values/assert.h"
@@ -29,18 +28,8 @@ double LumaCopy::mean() const {
   return values_.empty() ? 0.0 : static_cast<double>(sum) / static_cast<double>(values_.size());
 }
 
-std::optional<double> LumaCopy::at(const Vec2& place_px) const {
-  const double left = std::floor(place_px.x());
-  const double top = std::floor(place_px.y());
-  if (!(left >= 0.0 && top >= 0.0 && left + 1.0 < size_.width_px && top + 1.0 < size_.height_px)) return std::nullopt;
-  const double right_share = place_px.x() - left;
-  const double lower_share = place_px.y() - top;
-  const auto width = static_cast<std::size_t>(size_.width_px);
-  const std::uint8_t* upper = values_.data() + static_cast<std::size_t>(top) * width + static_cast<std::size_t>(left);
-  const std::uint8_t* lower = upper + width;
-  const double above = upper[0] + right_share * (upper[1] - upper[0]);
-  const double below = lower[0] + right_share * (lower[1] - lower[0]);
-  return above + lower_share * (below - above);
+LumaView LumaCopy::view() const {
+  return {{.data = values_.data(), .stride_bytes = static_cast<std::size_t>(size_.width_px), .step_bytes = 1}, size_};
 }
 
 }  // namespace tripoint

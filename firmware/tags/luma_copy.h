@@ -3,11 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "ports/frame.h"
-#include "values/linear.h"
+#include "tags/luma_view.h"
 
 namespace tripoint {
 
@@ -22,8 +21,8 @@ class LumaCopy {
   [[nodiscard]] std::vector<std::uint8_t>& values() { return values_; }
 
   [[nodiscard]] double mean() const;
-  /// Luma between the four pixels around a place, pixel centres at integers; nothing outside of the picture.
-  [[nodiscard]] std::optional<double> at(const Vec2& place_px) const;
+  /// Valid until the next picture is taken.
+  [[nodiscard]] LumaView view() const;
 
  private:
   ImageSize size_;

@@ -3,18 +3,21 @@
 
 #include <array>
 
+#include "tags/edge_meetings.h"
+#include "tags/luma_view.h"
 #include "tags/tag_cause.h"
 #include "tags/tag_decoder.h"
+#include "tags/tag_pattern.h"
 #include "values/linear.h"
 
 namespace tripoint {
 
-using CornerCovariance = Eigen::Matrix<double, 2 * kTagCorners, 2 * kTagCorners>;
+using TagCornerPixels = std::array<RawPixel, kTagCorners>;
 
 /// Measured when the cause is kKept. Otherwise rough: the corners are the decoder's, to about a pixel.
 struct TagOutline {
   TagCause cause = TagCause::kKept;
-  std::array<RawPixel, kTagCorners> corners_px;  ///< in the order of the decoder
+  TagCornerPixels corners_px;  ///< in the order of the decoder
   /// Over u and v of corner 0, of corner 1 and so on. Neighbours share an edge, and so its error.
   CornerCovariance covariance_px2 = CornerCovariance::Identity();
   double light = 0.0;     ///< mean luma on the light side of the edges; 0 of a rough one
@@ -26,8 +29,14 @@ struct TagOutline {
 /// looking begins. Edges are taken for straight; what a lens moves the corners by is taken off where it is known
 /// (straight_corners.h).
 ///
-/// @return rough with the cause of the first edge that cannot be measured, or with kMovedCorner
-TagOutline tag_outline(const LumaCopy& luma, const DecodedTag& tag, const TagShape& shape);
+/// @return rough with the cause of the first edge that cannot be measured, with kMovedCorner or kShiftedCells
+TagOutline tag_outline(const LumaView& luma, const DecodedTag& tag, const TagPattern& pattern);
+
+/// Of a tag whose corners were foreseen to about three pixels, or nine tenths of a cell if that is less: asked for all
+/// that a decoded one is but kMovedCorner. Its bits are not read here.
+///
+/// @return without a place when the cause is not kKept
+TagOutline outline_near(const LumaView& luma, const TagCornerPixels& foreseen, const TagPattern& pattern);
 
 struct MeasuredPlace {
   RawPixel at;

@@ -2,15 +2,26 @@
 
 #include <utility>
 
+#include "tags/tag_print.h"
+#include "values/assert.h"
+
 namespace tripoint {
 Result<TagDetector> TagDetector::open(const TagDetectorSettings& settings) {
   return TagDecoder::open(settings.family, settings.ids).map([&](TagDecoder decoder) {
-    return TagDetector(std::move(decoder), settings.min_margin);
+    return TagDetector(std::move(decoder), settings);
   });
 }
 
-TagDetector::TagDetector(TagDecoder decoder, double min_margin)
-    : decoder_(std::move(decoder)), min_margin_(min_margin) {}
+TagDetector::TagDetector(TagDecoder decoder, const TagDetectorSettings& settings)
+    : decoder_(std::move(decoder)), family_(settings.family), min_margin_(settings.min_margin) {}
+
+const TagPattern& TagDetector::pattern(int id) {
+  const auto known = patterns_.find(id);
+  if (known != patterns_.end()) return known->second;
+  const Result<TagCells> cells = tag_print(family_, id);
+  TRIPOINT_ASSERT(cells.has_value());
+  return patterns_.emplace(id, pattern_of(*cells)).first->second;
+}
 
 SeenTags TagDetector::detect(const Picture& picture) {
   luma_.take(picture);
@@ -21,7 +32,7 @@ SeenTags TagDetector::detect(const Picture& picture) {
   for (const DecodedTag& tag : decoded.tags) {
     const bool sure = tag.margin >= min_margin_;
     seen.tags.push_back(
-        {tag, sure ? tag_outline(luma_, tag, decoder_.shape()) : rough_outline(tag, TagCause::kUnsureBits)});
+        {tag, sure ? tag_outline(luma_.view(), tag, pattern(tag.id)) : rough_outline(tag, TagCause::kUnsureBits)});
   }
   return seen;
 }

@@ -1,6 +1,7 @@
 // AprilTags in a picture: decoded by libapriltag, measured by their edges.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "tags/luma_copy.h"
 #include "tags/tag_corners.h"
 #include "tags/tag_decoder.h"
+#include "tags/tag_pattern.h"
 #include "values/fixed_vector.h"
 #include "values/result.h"
 
@@ -32,7 +34,8 @@ struct SeenTags {
   double mean_luma = 0.0;                      ///< of the whole picture
 };
 
-/// Room for pictures of one size; allocates when it changes, and libapriltag in every picture.
+/// Room for pictures of one size; allocates when it changes or a tag is seen for the first time, and libapriltag in
+/// every picture.
 class TagDetector {
  public:
   /// @return as TagDecoder::open
@@ -45,9 +48,12 @@ class TagDetector {
   SeenTags detect(const Picture& picture);
 
  private:
-  TagDetector(TagDecoder decoder, double min_margin);
+  TagDetector(TagDecoder decoder, const TagDetectorSettings& settings);
+  const TagPattern& pattern(int id);
 
   TagDecoder decoder_;
+  std::string family_;
+  std::map<int, TagPattern> patterns_;  // of the tags that were seen
   double min_margin_;
   LumaCopy luma_;
 };

@@ -98,6 +98,29 @@ void Sheet::cover(int left_px, int top_px, int right_px, int bottom_px) {
   }
 }
 
+void Sheet::lay_strip(const Vec2& from_px, const Vec2& to_px, double begin_px, double end_px, double luma) {
+  const double length_px = (to_px - from_px).norm();
+  const Vec2 along = (to_px - from_px) / length_px;
+  const Vec2 right(-along.y(), along.x());
+  const auto within = [&](const Vec2& place, double margin_px) {
+    const double distance_px = right.dot(place - from_px);
+    const double along_px = along.dot(place - from_px);
+    return distance_px >= begin_px - margin_px && distance_px < end_px + margin_px && along_px >= -margin_px &&
+           along_px < length_px + margin_px;
+  };
+  for (int y = 0; y < size_.height_px; ++y) {
+    for (int x = 0; x < size_.width_px; ++x) {
+      if (!within({x, y}, 1.0)) continue;
+      int covered = 0;
+      for (int i = 0; i < kStrata * kStrata; ++i) {
+        const Vec2 place(x + (i % kStrata + 0.5) / kStrata - 0.5, y + (i / kStrata + 0.5) / kStrata - 0.5);
+        covered += within(place, 0.0) ? 1 : 0;
+      }
+      at(x, y) += covered * (luma - at(x, y)) / (kStrata * kStrata);
+    }
+  }
+}
+
 void Sheet::smear(int width_px) {
   for (int y = 0; y < size_.height_px; ++y) {
     const std::vector<double> row(&at(0, y), &at(0, y) + size_.width_px);

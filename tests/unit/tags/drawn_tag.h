@@ -43,6 +43,9 @@ class Sheet {
   void add_noise(double sigma);
   void add_noise(double sigma, std::uint32_t seed);
   void cover(int left_px, int top_px, int right_px, int bottom_px);
+  /// A rectangle of one luma from one place to another, reaching so far to the right of that line, as the picture is
+  /// shown.
+  void lay_strip(const Vec2& from_px, const Vec2& to_px, double begin_px, double end_px, double luma);
   void mirror();
   /// What moves along u by so much while it is exposed.
   void smear(int width_px);

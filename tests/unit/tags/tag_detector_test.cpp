@@ -8,41 +8,19 @@
 #include <vector>
 
 #include "drawn_tag.h"
+#include "measured_tags.h"
 
 namespace tripoint {
 namespace {
 
+using test::detector_for;
+using test::Errors;
+using test::errors_px;
 using test::kCodes36h11;
+using test::kept_in;
 using test::Sheet;
 using test::tag36h11;
-using Errors = Eigen::Matrix<double, 2 * kTagCorners, 1>;
-
-TagDetector detector_for(const std::string& family = "tag36h11") {
-  Result<TagDetector> detector = TagDetector::open({.family = family});
-  EXPECT_TRUE(detector) << detector.error().message;
-  return std::move(*detector);
-}
-
-std::vector<SeenTag> kept_in(const Picture& picture, TagDetector& detector) {
-  std::vector<SeenTag> kept;
-  for (const SeenTag& tag : detector.detect(picture).tags) {
-    if (tag.outline.cause == TagCause::kKept) kept.push_back(tag);
-  }
-  return kept;
-}
-
-/// Upright in the middle of the picture, 80 px wide.
-Matrix3 upright() { return test::seen_by_camera(Matrix3::Identity(), {1.0, 2.0, 400.0}, 50.96); }
-
-Errors errors_px(const TagOutline& outline, const Matrix3& pixels_from_tag) {
-  const auto truth = test::corners_of(pixels_from_tag);
-  Errors errors;
-  for (std::size_t k = 0; k < kTagCorners; ++k) {
-    const RawPixel& seen = outline.corners_px[k];
-    errors.segment<2>(static_cast<Eigen::Index>(2 * k)) = Vec2(seen.u_px, seen.v_px) - truth[k];
-  }
-  return errors;
-}
+using test::upright;
 
 /// Turned any way about the line of sight, tilted by up to 45 degrees, 45 to 105 px wide.
 Matrix3 random_view(std::mt19937& random) {

@@ -115,12 +115,13 @@ TEST(TagLineTest, ATagWithOneEdgeThatClipsIsSaturated) {
   const Matrix3 upright = test::seen_by_camera(Matrix3::Identity(), {0.0, 0.0, 400.0}, 50.0);
   sheet.draw(test::tag36h11(test::kCodes36h11[1]), upright);
   const Picture clean = sheet.grey();
-  const int right_px = static_cast<int>(test::corners_of(upright)[1].x());
+  const auto corners = test::corners_of(upright);
   std::vector<std::uint8_t> lit(clean.luma.data, clean.luma.data + 640 * 480);
   for (int y = 0; y < 480; ++y) {
-    for (int x = right_px - 4; x < 640; ++x) {
+    for (int x = 0; x < 640; ++x) {
       std::uint8_t& luma = lit[static_cast<std::size_t>(640 * y + x)];
-      luma = static_cast<std::uint8_t>(std::min(255.0, 1.4 * luma));
+      const double along = (x - corners[0].x()) / (corners[1].x() - corners[0].x());
+      luma = static_cast<std::uint8_t>(std::clamp((1.0 + 0.35 * along) * luma, 0.0, 255.0));
     }
   }
   Picture glaring = clean;
