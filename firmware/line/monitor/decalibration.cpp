@@ -9,11 +9,9 @@
 namespace tripoint {
 namespace {
 
-constexpr int kMemory = 30;     // views: a second
-constexpr int kLeastViews = 4;  // before anything is judged
-// Spots err alike from view to view: the noise of so many views is taken for that of one. A camera shifts the edges of
-// tags alike in all views.
-constexpr double kAlike = 2.0;
+constexpr int kMemory = 30;         // views: a second
+constexpr int kLeastViews = 4;      // before anything is judged
+constexpr double kEdges_px = 0.05;  // standard deviation by which a camera moves all edges of tags inwards
 // Chi-square with three degrees of freedom: above once in 700,000 units, and in 6,000.
 constexpr double kAlarm = 30.0;
 constexpr double kExcluded = 20.0;
@@ -33,10 +31,28 @@ FixedVector<double, kMostTargetPlaces> place_sigmas_mm(const Target& target) {
   return sigmas_mm;
 }
 
+bool same_target(const Target& a, const Target& b) {
+  const auto same_point = [](const TargetPoint& one, const TargetPoint& other) {
+    return one.id == other.id && one.in_target_mm == other.in_target_mm && one.uncertainty_mm == other.uncertainty_mm;
+  };
+  const auto same_tag = [](const TargetTag& one, const TargetTag& other) {
+    return one.id == other.id && one.corners_mm == other.corners_mm && one.uncertainty_mm == other.uncertainty_mm;
+  };
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), same_point) &&
+         std::equal(a.tags.begin(), a.tags.end(), b.tags.begin(), b.tags.end(), same_tag);
+}
+
+/// Whether what was found by one model is true of the other.
+bool same_mount(const LineModel& a, const LineModel& b) {
+  if (a.datum.has_value() != b.datum.has_value()) return false;
+  if (a.datum && a.datum->in_rig_mm != b.datum->in_rig_mm) return false;
+  return parameters_of(a.calibration) == parameters_of(b.calibration) && same_target(a.target, b.target);
+}
+
 }  // namespace
 
 void Decalibration::watch(const LineModel& model) {
-  *this = Decalibration{};
+  if (!same_mount(model, turned_)) *this = Decalibration{};
   turned_ = model;
   const Eigen::Matrix<double, 6, 3> spread = kUsualTurn_rad * calibration_by_turn(model.calibration);
   turned_.covariance.bottomRightCorner<6, 6>() += spread * spread.transpose();
@@ -69,11 +85,11 @@ void Decalibration::take(const Aligned& seen, const Pairs& pairs, const Fit& fit
   const Isometry3 rig_from_target = model.output_from_rig.inverse() * output_from_target;
   const auto evidence = turn_evidence({points->begin(), points->size()}, rig_from_target, model);
   if (!evidence) return;
-  add(*evidence, seen.at);
+  add(*evidence, {points->begin(), points->size()}, seen.at);
   judge(model, evidence->place_by_turn_mm);
 }
 
-void Decalibration::add(const TurnEvidence& evidence, TimePoint at) {
+void Decalibration::add(const TurnEvidence& evidence, std::span<const LocatedPoint> points, TimePoint at) {
   found_.newest = at;
   found_.views = std::min(found_.views + 1, kMemory);
   const double kept = 1.0 - 1.0 / kMemory;
@@ -86,14 +102,15 @@ void Decalibration::add(const TurnEvidence& evidence, TimePoint at) {
     found_.clock_spreads += by_clocks * by_clocks.transpose() / sigma;
   }
   found_.side_error_mm += (evidence.side_error_mm - found_.side_error_mm) / found_.views;
+  found_.noise.add(kept, evidence.equations.middleCols<3>(kTurnColumn), points);
 }
 
 Matrix3 Decalibration::spread_without_turn(const LineModel& model) const {
   const TurnEquations& sums = found_.sums;
-  const Matrix3 information = sums.middleCols<3>(kTurnColumn);
   // Clocks err alike from view to view, but not the same: by Cauchy and Schwarz their sum spreads no more than this.
-  const double alike = model.target.tags.empty() ? kAlike : found_.views;
-  Matrix3 spread = alike * information + found_.clock_sigmas * found_.clock_spreads;
+  Matrix3 spread = found_.noise.covariance() + found_.clock_sigmas * found_.clock_spreads;
+  const Vec3 by_edges = sums.col(kEdgesColumn);
+  spread += kEdges_px * kEdges_px * by_edges * by_edges.transpose();
   const Eigen::Matrix<double, 3, 24> by_calibration = sums.middleCols<24>(kCalibrationColumn);
   const Eigen::Matrix<double, 3, 24> calibration = by_calibration.lazyProduct(covariance_or_usual(model));
   spread += calibration.lazyProduct(by_calibration.transpose());
@@ -130,7 +147,7 @@ void Decalibration::judge(const LineModel& model, const Matrix3& place_by_turn_m
 Measurement Decalibration::judged(Measurement measurement) const {
   if (found_.views >= kLeastViews && measurement.exposed <= found_.newest + kFindingShown) {
     measurement.side_length_error_mm = found_.side_error_mm;
-    measurement.decalibration_mm = found_.moved_mm;
+    if (std::isfinite(found_.moved_mm)) measurement.decalibration_mm = found_.moved_mm;
   }
   if (const std::optional<double> datum_mm = datum_.moved_mm(measurement.exposed)) {
     measurement.decalibration_mm = std::max(measurement.decalibration_mm.value_or(0.0), *datum_mm);

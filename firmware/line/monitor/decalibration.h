@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 
 #include "line/align/align.h"
 #include "line/match/match.h"
@@ -10,6 +11,7 @@
 #include "line/model.h"
 #include "line/monitor/datum_watch.h"
 #include "line/monitor/turn_evidence.h"
+#include "line/monitor/view_noise.h"
 #include "line/pose/pose.h"
 #include "values/linear.h"
 #include "values/time.h"
@@ -27,7 +29,7 @@ namespace tripoint {
 /// it finds is evidence, never a pose.
 class Decalibration {
  public:
-  /// Begins anew.
+  /// Begins anew, unless it is still about the same cameras, target and datum.
   void watch(const LineModel& model);
 
   void learn(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model);
@@ -43,6 +45,7 @@ class Decalibration {
  private:
   struct Findings {
     TurnEquations sums = TurnEquations::Zero();
+    ViewNoise noise;                          ///< of the sums
     double clock_sigmas = 0.0;                ///< sum of what the clocks may have done to each view
     Matrix3 clock_spreads = Matrix3::Zero();  ///< likewise: squares over what clock_sigmas adds up
     int views = 0;                            ///< in the sums, no more than they remember
@@ -55,7 +58,7 @@ class Decalibration {
   };
 
   void take(const Aligned& seen, const Pairs& pairs, const Fit& fit, const LineModel& model);
-  void add(const TurnEvidence& evidence, TimePoint at);
+  void add(const TurnEvidence& evidence, std::span<const LocatedPoint> points, TimePoint at);
   [[nodiscard]] Matrix3 spread_without_turn(const LineModel& model) const;
   void judge(const LineModel& model, const Matrix3& place_by_turn_mm);
 

@@ -66,6 +66,16 @@ std::optional<Isometry3> best_pose(Points points, Isometry3 pose, const Rig& rig
   return std::nullopt;
 }
 
+/// How a corner of a tag moves when both its edges move inwards by a pixel, as a tone curve or sharpening moves them.
+Vec2 moved_by_edges(const RawPixel& before, const RawPixel& corner, const RawPixel& after) {
+  const auto inwards = [](const RawPixel& from, const RawPixel& to) -> Vec2 {  // corners run counter-clockwise
+    return Vec2(to.v_px - from.v_px, from.u_px - to.u_px).normalized();
+  };
+  Matrix2 edges;
+  edges << inwards(before, corner).transpose(), inwards(corner, after).transpose();
+  return edges.inverse() * Vec2::Ones();
+}
+
 /// How the offsets of one part's pixels follow the columns; what was seen is left out. Not whitened.
 RowsByTurn rows_by_turn(Points part, const Isometry3& pose, const LineModel& model,
                         const Eigen::Matrix<double, 6, 3>& by_turn) {
@@ -77,6 +87,10 @@ RowsByTurn rows_by_turn(Points part, const Isometry3& pose, const LineModel& mod
     own.middleCols<3>(kTurnColumn) = own.middleCols<6>(kCalibrationColumn + 18) * by_turn;
     for (const Side side : kBothSides) {
       own.block<2, 2>(first_row(side), kClockColumn + first_row(side)) = point.clocks_root_px[side];
+      if (!point.next) continue;
+      const auto corner = [&](std::size_t k) -> const RawPixel& { return part[k % kTagCorners].pixels[side].at; };
+      own.block<2, 1>(first_row(side), kEdgesColumn) =
+          moved_by_edges(corner(i + kTagCorners - 1), corner(i), corner(i + 1));
     }
     own.middleCols<3>(kTargetColumn + 3 * static_cast<Eigen::Index>(point.index)) =
         -pixels_by_place(model.rig, pose * point.of.in_target_mm) * pose.linear();

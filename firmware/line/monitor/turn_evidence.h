@@ -20,13 +20,14 @@ Eigen::Matrix<double, 6, 3> calibration_by_turn(const StereoCalibration& calibra
 RigCovariance covariance_or_usual(const LineModel& model);
 
 /// Normal equations of such a turn, with the target's pose eliminated. Columns: the turn itself, what errors of the
-/// calibration, of the clocks and of the points' places in the target would do to it, and what was seen. The last four
-/// are the same from view to view, and no number of views averages them out.
+/// calibration, of the clocks, of all edges of tags and of the points' places in the target would do to it, and what
+/// was seen. These errors are the same from view to view, and no number of views averages them out.
 inline constexpr int kMostTargetPlaces = static_cast<int>(kMaxTargetPoints * kTagCorners);
 inline constexpr int kTurnColumn = 0;
 inline constexpr int kCalibrationColumn = 3;
 inline constexpr int kClockColumn = kCalibrationColumn + 24;  ///< one standard deviation along two directions a picture
-inline constexpr int kTargetColumn = kClockColumn + 4;        ///< LocatedPoint::index says which three
+inline constexpr int kEdgesColumn = kClockColumn + 4;         ///< all edges of tags moved inwards by a pixel
+inline constexpr int kTargetColumn = kEdgesColumn + 1;        ///< LocatedPoint::index says which three
 inline constexpr int kSeenColumn = kTargetColumn + 3 * kMostTargetPlaces;
 inline constexpr int kTurnColumns = kSeenColumn + 1;
 using TurnEquations = Eigen::Matrix<double, 3, kTurnColumns>;

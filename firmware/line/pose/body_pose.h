@@ -22,6 +22,7 @@ struct LocatedPoint {
   Eigen::Matrix<double, 3, 24> place_by_calibration = Eigen::Matrix<double, 3, 24>::Zero();
   Eigen::Matrix<double, 3, 4> moved_by_clocks_mm = Eigen::Matrix<double, 3, 4>::Zero();  ///< see pose_of_body
   PerSide<Matrix2> clocks_root_px{Matrix2::Zero(), Matrix2::Zero()};  ///< timing_root_px of each picture
+  double averaging = 1.0;           ///< AlignedPoint's, the smaller one of both image points
   std::size_t index = 0;            ///< by `located_target`: among the target's LEDs, or the corners of its tags
   std::optional<std::size_t> next;  ///< of a tag's corner: which of the points is the next one, with the same edge
   PerSide<Matrix2> shared_with_next_px2{Matrix2::Zero(), Matrix2::Zero()};

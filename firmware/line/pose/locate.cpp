@@ -98,6 +98,7 @@ Result<LocatedPoint> located(const Pair& pair, const TargetPoint& of, const Alig
   located.place_by_calibration = slope.by_calibration;
   for (const Side side : kBothSides) {
     const AlignedPoint& image = pair.points[side];
+    located.averaging = std::min(located.averaging, image.averaging);
     located.clocks_root_px[side] = timing_root_px(image.timing_px2, image.velocity_px_per_s);
     located.moved_by_clocks_mm.middleCols<2>(side == Side::kLeft ? 0 : 2) =
         slope.by_pixel[side] * located.clocks_root_px[side];

@@ -218,13 +218,10 @@ void expect_refused_when_the_third_is_moved_by(const Isometry3& move_mm) {
   expect_only(seen(model, {.model = {glued, glued}}), {Fault::kGeometryGate});
 }
 
-// Each corner of these lies within 8 of its own deviations; all of them together are never so far off by chance. A
-// camera that turned by less than a tenth of a degree would make a tag so large.
+// Each corner of these lies within 8 of its own deviations; all of them together are never so far off by chance.
 TEST(LineTagsTest, AllCornersTogetherShowASizeThatIsWrongByOneInAHundredAndFifty) {
   const LineModel larger = tag_model(1, 30.2);
-  const std::vector<Measurement> measurements = seen(tag_model(1, 30.0), {.model = {larger, larger}});
-  for (const Measurement& one : measurements) EXPECT_FALSE(one.pose);
-  EXPECT_EQ(measurements.back().faults, (Faults{Fault::kGeometryGate, Fault::kDecalibration}));
+  expect_only(seen(tag_model(1, 30.0), {.model = {larger, larger}}), {Fault::kGeometryGate});
 }
 
 TEST(LineTagsTest, AllCornersTogetherShowATagThatWasGluedAside) {

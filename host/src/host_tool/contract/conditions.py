@@ -46,7 +46,7 @@ REMEDIES: dict[str, str] = {
     "geometry_gate": "check target.file against the tool",
     "outside_volume": "move the target in, or check [volume]",
     "timing_bound": "move slower, or check the cameras' rates",
-    "decalibration": "check mount and target for what was moved, then recalibrate",
+    "decalibration": "check mount and target for what was moved: put it back and show the whole target, or recalibrate",
     "calibration_does_not_fit": "connect the calibrated cameras, or recalibrate",
     "internal": "save the unit's log and report it",
     "saturated_spot": "shorten the exposure or dim the LED",

@@ -51,6 +51,10 @@ class DatumWatchTest : public ::testing::Test {
       decalibration_.learn(seen, pairs, pose_of_target(seen, pairs, model_), model_);
     }
   }
+  void begin_anew() {
+    decalibration_ = Decalibration{};
+    decalibration_.watch(model_);
+  }
   void see_no_light(int views) {
     for (int i = 0; i < views; ++i) {
       now_ += std::chrono::milliseconds(33);
@@ -95,7 +99,7 @@ TEST_F(DatumWatchTest, ADatumAtItsPlaceWatchesTheMount) {
 TEST_F(DatumWatchTest, AYawOrPitchOfEitherCameraTakesThePoseWithinASecond) {
   for (const Side side : kBothSides) {
     for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(-Vec3::UnitY())}) {
-      decalibration_.watch(model_);
+      begin_anew();
       PerSide<Isometry3> knocked = kUpright;
       knocked[side] = turned_by(kTenthOfADegree_rad * axis);
       see(kUpright, 60);
@@ -195,7 +199,7 @@ TEST_F(DatumWatchTest, WhatTheCalibrationAdmitsIsNoAlarm) {
   }
   see(erring, 60);
   EXPECT_TRUE(alarmed());
-  decalibration_.watch(model_);
+  begin_anew();
   const Eigen::Matrix<double, 6, 3> by_turn = calibration_by_turn(model_.calibration);
   model_.covariance.bottomRightCorner<6, 6>() =
       kTenthOfADegree_rad * kTenthOfADegree_rad * by_turn * by_turn.transpose();
@@ -207,7 +211,7 @@ TEST_F(DatumWatchTest, WhatTheCalibrationAdmitsIsNoAlarm) {
 TEST_F(DatumWatchTest, TwoPicturesOfADatumAtRestSayNoMoreThanOne) {
   // A turn that one picture leaves just short of an alarm, by which half its variance would make one.
   const auto alarms = [this](double turn_rad, double averaging) {
-    decalibration_.watch(model_);
+    begin_anew();
     see({kStays, turned_by({turn_rad, 0.0, 0.0})}, 60, kDatum, averaging);
     return alarmed();
   };
@@ -234,8 +238,11 @@ TEST_F(DatumWatchTest, WhatWasSeenBeforeAPauseIsForgotten) {
   EXPECT_TRUE(alarmed());
 }
 
-TEST_F(DatumWatchTest, AnotherModelBeginsAnew) {
+TEST_F(DatumWatchTest, AnotherPlaceOfTheDatumBeginsAnew) {
   see(kYawedRight, 60);
+  decalibration_.watch(model_);
+  EXPECT_TRUE(alarmed());
+  model_.datum->in_rig_mm.x() += 1.0;
   decalibration_.watch(model_);
   EXPECT_FALSE(alarmed());
 }
