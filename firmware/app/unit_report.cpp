@@ -53,8 +53,12 @@ void UnitReport::take(const Measurement& measurement, std::optional<TimePoint> a
 
 void UnitReport::withdraw_pose(Fault cause) {
   if (!newest_) return;
-  newest_->measurement.pose.reset();
-  newest_->measurement.faults.insert(cause);
+  Measurement& measurement = newest_->measurement;
+  measurement.faults.insert(cause);
+  measurement.pose.reset();
+  measurement.points.clear();
+  measurement.timing.settled = false;
+  measurement.mount_watched = false;
 }
 
 UnitState UnitReport::state(const PerSide<CameraStatus>& cameras, const Clock& clock) const {

@@ -34,7 +34,8 @@ class UnitReport {
   /// A verdict of the line; `arrived` is when the last byte of the picture that brought it was there.
   void take(const Measurement& measurement, std::optional<TimePoint> arrived, const Clock& clock);
 
-  /// The newest measurement has lost its pose for this reason; the next verdict replaces it.
+  /// The newest measurement has lost its pose for this reason, and whatever else followed from the calibration; the
+  /// next verdict replaces it.
   void withdraw_pose(Fault cause);
 
   /// Measuring has ended: from now on the state says stopped, and no pose is valid.

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "line/detect/exposure_margin.h"
+#include "serve/reading.h"
 
 namespace tripoint {
 namespace {
@@ -130,14 +133,25 @@ TEST(UnitReportTest, AStoppedUnitSaysSoAndIsNotReady) {
   EXPECT_FALSE(state.flags.ready);
 }
 
-TEST(UnitReportTest, AWithdrawnPoseIsGoneWithItsCause) {
+TEST(UnitReportTest, AWithdrawnPoseIsGoneWithItsCauseAndWhatElseFollowedFromTheCalibration) {
+  using registers::StatusBit;
   const HeldClock clock;
   UnitReport report(calibrated_unit(), clock.now());
-  report.take(with_pose(), std::nullopt, clock);
+  Measurement measurement = with_pose();
+  measurement.exposed = clock.now();
+  measurement.points.push_back(MeasuredPoint{});
+  measurement.points[0].id = 1;
+  measurement.timing.settled = true;
+  measurement.mount_watched = true;
+  report.take(measurement, std::nullopt, clock);
+  const auto told = [&] { return live_reading(report.state({delivering(), delivering()}, clock), {}, clock.now()); };
+  const std::vector<StatusBit> followed{StatusBit::kTracking, StatusBit::kPositionValid, StatusBit::kSettled,
+                                        StatusBit::kMountWatched};
+  for (const StatusBit bit : followed) EXPECT_TRUE(told().has(bit)) << static_cast<int>(bit);
   report.withdraw_pose(Fault::kCalibrationDoesNotFit);
-  const UnitState state = report.state({delivering(), delivering()}, clock);
-  EXPECT_FALSE(state.newest->measurement.pose);
-  EXPECT_TRUE(state.newest->measurement.faults.contains(Fault::kCalibrationDoesNotFit));
+  for (const StatusBit bit : followed) EXPECT_FALSE(told().has(bit)) << static_cast<int>(bit);
+  EXPECT_EQ(told().faults, Faults{Fault::kCalibrationDoesNotFit}.bits());
+  EXPECT_EQ(told().points_used, 0);
 }
 
 TEST(UnitReportTest, LatencyRunsFromTheArrivalOfThePicture) {
