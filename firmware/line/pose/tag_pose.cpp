@@ -80,10 +80,6 @@ Result<Located> located_centres(const Aligned& seen, const Pairs& pairs, const L
   return centres;
 }
 
-double turn_between_rad(const Isometry3& one, const Isometry3& other) {
-  return Eigen::AngleAxisd(one.linear().transpose() * other.linear()).angle();
-}
-
 /// Nobody has seen a tag from behind.
 bool shows_fronts(const Isometry3& rig_from_target, const Pairs& pairs, const LineModel& model) {
   return std::all_of(pairs.pairs.begin(), pairs.pairs.end(), [&](const Pair& pair) {
@@ -108,13 +104,16 @@ struct Tilts {
   Faults faults;                  ///< why none is believed
 };
 
-Tilts tilts_of(std::span<const LocatedPoint> corners, const LineModel& model) {
+Isometry3 other_tilt(std::span<const LocatedPoint> corners, const Isometry3& rig_from_target) {
   FixedVector<Vec3, kMaxImagePoints> in_target_mm;
   for (const LocatedPoint& point : corners) in_target_mm.push_back(point.of.in_target_mm);
+  return tilted_over(rig_from_target, {in_target_mm.begin(), in_target_mm.size()});
+}
+
+Tilts tilts_of(std::span<const LocatedPoint> corners, const LineModel& model) {
   const Isometry3 start = pose_of_widest_triangle(corners);
   const Result<WholeFit> one = whole_fit(corners, model, start);
-  const Result<WholeFit> other =
-      whole_fit(corners, model, tilted_over(start, {in_target_mm.begin(), in_target_mm.size()}));
+  const Result<WholeFit> other = whole_fit(corners, model, other_tilt(corners, start));
   if (!one && !other) return {{}, std::nullopt, {Fault::kGeometryGate}};
   const bool first = !other || (one && one->chi2 <= other->chi2);
   const WholeFit& best = first ? *one : *other;
@@ -126,16 +125,19 @@ Tilts tilts_of(std::span<const LocatedPoint> corners, const LineModel& model) {
   return {best, rival, {}};
 }
 
-/// The fit of `pose_of_body` starts at the likelier tilt, and must not have gone over to the other.
+/// The fit of `pose_of_body` starts at the likelier tilt, and must stay there.
 Solved solved_by_corners(std::span<const LocatedPoint> corners, const LineModel& model) {
   const Tilts tilts = tilts_of(corners, model);
   if (!tilts.faults.empty()) return {std::nullopt, tilts.faults};
-  const Result<BodyPose> pose = pose_of_body(corners, model, tilts.best.rig_from_target);
+  const Isometry3& best = tilts.best.rig_from_target;
+  const Result<BodyPose> pose = pose_of_body(corners, model, best);
   if (!pose) return {std::nullopt, {Fault::kGeometryGate}};
-  const auto away_rad = [&](const WholeFit& tilt) {
-    return turn_between_rad(pose->rig_from_target, tilt.rig_from_target);
-  };
-  if (tilts.rival && away_rad(*tilts.rival) < away_rad(tilts.best)) return {std::nullopt, {Fault::kAmbiguous}};
+  const Matrix3 turn_covariance_rad2 = (pose->in_output.noise + pose->in_output.shared).bottomRightCorner<3, 3>();
+  const double away_rad = turn_between_rad(best, pose->rig_from_target);
+  const bool gone = away_rad > reach_of_tilt_rad(best, other_tilt(corners, best), turn_covariance_rad2);
+  const bool gone_over =
+      tilts.rival && turn_between_rad(tilts.rival->rig_from_target, pose->rig_from_target) < away_rad;
+  if (gone || gone_over) return {std::nullopt, {Fault::kAmbiguous}};
   return {*pose, {}};
 }
 

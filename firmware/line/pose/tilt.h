@@ -14,4 +14,11 @@ namespace tripoint {
 /// Source: Oberkampf, DeMenthon & Davis 1996, "Iterative pose estimation using coplanar feature points".
 Isometry3 tilted_over(const Isometry3& rig_from_target, std::span<const Vec3> in_target_mm);
 
+/// By how much the second pose is turned against the first, 0 to pi.
+double turn_between_rad(const Isometry3& one, const Isometry3& other);
+
+/// How far from a tilt a fit may end that was to stay there: half the way to the other tilt, or four standard
+/// deviations of all directions together where the two tilts are one for all that noise can tell.
+double reach_of_tilt_rad(const Isometry3& tilt, const Isometry3& other, const Matrix3& turn_covariance_rad2);
+
 }  // namespace tripoint
