@@ -8,6 +8,7 @@
 #include "app/detector_settings.h"
 #include "line/detect/led_detector.h"
 #include "tags/tag_points.h"
+#include "tags/tag_tracker.h"
 
 namespace tripoint {
 namespace {
@@ -28,8 +29,8 @@ DetectPoints led_detection(const DetectorConfig& config) {
 Result<DetectPoints> tag_detection(const DetectorConfig& config, const MeasuredTarget& target) {
   std::vector<int> ids;
   for (const TargetTag& tag : target.target.tags) ids.push_back(tag.id);
-  Result<TagDetector> opened =
-      TagDetector::open({.family = target.tag_family, .min_margin = config.min_margin, .ids = ids});
+  Result<TagTracker> opened =
+      TagTracker::open({.family = target.tag_family, .min_margin = config.min_margin, .ids = ids});
   if (!opened) return tl::make_unexpected(opened.error());
   for (const TargetTag& tag : target.target.tags) {
     if (tag.id >= opened->ids()) {
@@ -37,10 +38,12 @@ Result<DetectPoints> tag_detection(const DetectorConfig& config, const MeasuredT
                                                          tag.id, opened->ids() - 1));
     }
   }
-  const auto detector = std::make_shared<TagDetector>(std::move(*opened));  // shared: as above
-  return [detector, ids](const Picture& picture, const Forecast& forecast) {
-    const TagPoints found = points_of(detector->detect(picture), ids);
+  const auto tracker = std::make_shared<TagTracker>(std::move(*opened));  // shared: as above
+  return [tracker, ids](const Picture& picture, const Forecast& forecast) {
+    const SeenTags& seen = tracker->see(picture);
+    const TagPoints found = points_of(seen, ids);
     Observation observation;
+    observation.coverage = seen.coverage;
     observation.points = found.points;
     observation.health = found.health;
     observation.forecast_used = forecast.number;

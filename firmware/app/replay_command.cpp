@@ -29,9 +29,20 @@ namespace {
 struct Replay {
   Config config;
   LineModel model;
-  DetectPoints detect;
+  PerSide<DetectPoints> detect;
   OutputFrame frame = OutputFrame::kReference;
 };
+
+/// A detector for each camera: it may remember its last pictures.
+Result<PerSide<DetectPoints>> detections_of(const DetectorConfig& config, const MeasuredTarget& target) {
+  PerSide<DetectPoints> both;
+  for (const Side side : kBothSides) {
+    Result<DetectPoints> one = detection_of(config, target);
+    if (!one) return tl::make_unexpected(one.error());
+    both[side] = std::move(*one);
+  }
+  return both;
+}
 
 /// A calibration made at another picture size measures nonsense.
 Result<void> check_size(const LineModel& model, ImageSize recorded) {
@@ -79,7 +90,7 @@ Result<Replay> prepared(const ReplayOptions& options) {
     return failure(measured.error().code, options.target.empty()
                                               ? "--target: " + measured.error().message
                                               : options.target.string() + ": " + measured.error().message);
-  Result<DetectPoints> detect = detection_of(replay.config.detector, *measured);
+  Result<PerSide<DetectPoints>> detect = detections_of(replay.config.detector, *measured);
   if (!detect) return tl::make_unexpected(detect.error());
   replay.detect = std::move(*detect);
   Result<LineModel> model = line_model(*calibration, measured->target, replay.config);
@@ -97,7 +108,7 @@ Result<Replay> prepared(const ReplayOptions& options) {
 /// Turns rows of a recording into the events that the camera threads would have sent.
 class EventMaker {
  public:
-  explicit EventMaker(DetectPoints detect) : detect_(std::move(detect)) {}
+  explicit EventMaker(PerSide<DetectPoints> detect) : detect_(std::move(detect)) {}
 
   /// @return kCorruptFrame, naming the file, for a picture that cannot be decoded
   Result<Event> event(const RecordedItem& item, const RecordingReader& reader) {
@@ -113,10 +124,10 @@ class EventMaker {
  private:
   Result<Observation> observed(const Frame& frame) {
     const bool packed = frame.format == PixelFormat::kMjpeg;
-    const Result<Picture> picture =
-        packed ? decoder_.decode(frame.data, frame.size) : Result<Picture>(picture_of(frame));
+    Result<Picture> picture = packed ? decoder_.decode(frame.data, frame.size) : Result<Picture>(picture_of(frame));
     if (!picture) return tl::make_unexpected(picture.error());
-    Observation seen = detect_(*picture, Forecast{});
+    picture->frame = frame.sequence;
+    Observation seen = detect_[frame.side](*picture, Forecast{});
     seen.side = frame.side;
     seen.frame = frame.sequence;
     seen.exposed = frame.exposed;
@@ -127,7 +138,7 @@ class EventMaker {
     return seen;
   }
 
-  DetectPoints detect_;
+  PerSide<DetectPoints> detect_;
   MjpegDecoder decoder_;
   PerSide<RepeatCheck> repeats_;
 };

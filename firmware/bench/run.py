@@ -144,6 +144,7 @@ def main() -> int:
     figures += of_program(programs / "bench_clutter", "--row", "640_yuyv", "--scenes", "1000")
     figures += of_program(programs / "bench_clutter")[OF_FIRST_ROW:]  # the first has more scenes above
     figures += of_program(programs / "bench_clutter_poses")
+    figures += of_program(programs / "bench_tags")
     figures += of_program(programs / "bench_modulation") + of_program(programs / "bench_identity")
     figures += of_program(programs / "bench_coverage") + of_program(programs / "bench_bump")
     figures += of_instructions(programs) + of_program(programs / "bench_mjpeg")

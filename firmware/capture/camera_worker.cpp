@@ -127,8 +127,9 @@ Result<Observation> CameraWorker::observe(Camera& camera) {
   if (!frame) return tl::make_unexpected(frame.error());
   const bool all_rows = tasks_.sift || tasks_.whole_pictures;
   const Forecast forecast = all_rows ? Forecast{} : links_.forecast.get();
-  const Result<Picture> picture = picture_from(*frame, forecast);
+  Result<Picture> picture = picture_from(*frame, forecast);
   if (!picture) return tl::make_unexpected(picture.error());
+  picture->frame = frame->sequence;
   if (!plausible(*frame)) return failure(ErrorCode::kCorruptFrame, "time stamp does not fit the time of arrival");
   count_frame(*frame);
 
@@ -139,7 +140,7 @@ Result<Observation> CameraWorker::observe(Camera& camera) {
   observation.arrived = frame->arrived;
   observation.line_time = frame->line_time;
   if (camera.info().exposure > Duration{0}) observation.exposure = camera.info().exposure;
-  observation.coverage = picture->bands.empty() ? Coverage::kWholeFrame : Coverage::kRegions;
+  if (!picture->bands.empty()) observation.coverage = Coverage::kRegions;
   observation.health.identical = repeats(*frame, *picture);
   sightings_ = with(sightings_, observation, forecast);
   return tasks_.sift ? tasks_.sift(observation, *picture) : observation;

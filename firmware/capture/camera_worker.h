@@ -44,8 +44,8 @@ struct CameraLimits {
 };
 
 using OpenCamera = std::function<Result<std::unique_ptr<Camera>>()>;
-/// Fills in points, health and forecast_used; side, frame, times and coverage are the worker's. It is asked picture by
-/// picture of one camera, and of MJPEG may get bands only.
+/// Fills in points, health, forecast_used, and coverage when it did not look everywhere; side, frame and times are the
+/// worker's. It is asked picture by picture of one camera, and of MJPEG may get bands only.
 using DetectPoints = std::function<Observation(const Picture&, const Forecast&)>;
 /// What of a finished observation is believed. With such a task every picture is seen whole.
 using SiftPoints = std::function<Observation(const Observation&, const Picture&)>;

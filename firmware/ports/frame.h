@@ -56,6 +56,7 @@ struct Picture {
   Plane v;
   bool chroma_rows_halved = false;
   bool interleaved_yuyv = false;  ///< luma.data is the start of a YUYV buffer
+  std::uint32_t frame = 0;        ///< the driver's number
   RowBands bands{};  ///< the rows that were decoded, from above, apart; empty = all. Others hold old values
 };
 

@@ -63,12 +63,6 @@ double reach(double cell_px, double cells, double most_px) {
 
 RawPixel pixel_at(const Vec2& place_px) { return {place_px.x(), place_px.y()}; }
 
-Places places_of(const std::array<RawPixel, kTagCorners>& pixels) {
-  Places places;
-  std::transform(pixels.begin(), pixels.end(), places.begin(), place_of);
-  return places;
-}
-
 /// How far to look: first for what is only roughly known, then where it was found.
 struct Reaches {
   double first_px = 0.0;
@@ -111,6 +105,12 @@ TagOutline found_from(const LumaView& luma, const Places& start_px, const TagPat
 }
 
 }  // namespace
+
+Places places_of(const TagCornerPixels& corners_px) {
+  Places places;
+  std::transform(corners_px.begin(), corners_px.end(), places.begin(), place_of);
+  return places;
+}
 
 TagOutline rough_outline(const DecodedTag& tag, TagCause cause) {
   return {cause, tag.corners_px, kRough_px * kRough_px * CornerCovariance::Identity(), 0.0, 0.0, 0.0};

@@ -13,6 +13,7 @@
 namespace tripoint {
 
 using TagCornerPixels = std::array<RawPixel, kTagCorners>;
+std::array<Vec2, kTagCorners> places_of(const TagCornerPixels& corners_px);
 
 /// Measured when the cause is kKept. Otherwise rough: the corners are the decoder's, to about a pixel.
 struct TagOutline {

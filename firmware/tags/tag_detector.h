@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "line/observation.h"
 #include "ports/frame.h"
 #include "tags/luma_copy.h"
-#include "tags/tag_corners.h"
 #include "tags/tag_decoder.h"
+#include "tags/tag_near.h"
 #include "tags/tag_pattern.h"
 #include "values/fixed_vector.h"
 #include "values/result.h"
@@ -23,15 +24,11 @@ struct TagDetectorSettings {
   std::vector<int> ids{};
 };
 
-struct SeenTag {
-  DecodedTag decoded;
-  TagOutline outline;
-};
-
 struct SeenTags {
   FixedVector<SeenTag, kMaxDecodedTags> tags;  ///< by id; the same id may be there more than once
   bool cut = false;                            ///< there were more
-  double mean_luma = 0.0;                      ///< of the whole picture
+  double mean_luma = 0.0;                      ///< of the last picture that was decoded
+  Coverage coverage = Coverage::kWholeFrame;   ///< of this one
 };
 
 /// Room for pictures of one size; allocates when it changes or a tag is seen for the first time, and libapriltag in
@@ -47,9 +44,14 @@ class TagDetector {
   /// @param picture  whole, of any pixel format: only its luma is read
   SeenTags detect(const Picture& picture);
 
+  /// What a tag of the family shows.
+  ///
+  /// @param id  that the family has
+  const TagPattern& pattern(int id);
+  [[nodiscard]] double min_margin() const { return min_margin_; }
+
  private:
   TagDetector(TagDecoder decoder, const TagDetectorSettings& settings);
-  const TagPattern& pattern(int id);
 
   TagDecoder decoder_;
   std::string family_;

@@ -35,7 +35,7 @@ ROOMS: dict[str, set[str]] = {
     "jpeglib.h": {"capture", "sim"},
     "jerror.h": {"capture"},
     "png.h": {"capture", "explain"},
-    "apriltag/": {"tags"},
+    "apriltag/": {"tags", "bench"},  # bench: what following tags is measured against
     "opencv2/": {"bench"},  # what the detector is measured against
     "zlib.h": {"fuzz"},
     # devices and descriptors
@@ -62,7 +62,7 @@ ROOMS: dict[str, set[str]] = {
     "cstdio": {"values", "capture", "sim", "app", "bench"},  # values: the last words of a failed assertion
     "csetjmp": {"capture"},  # how libjpeg and libpng report an error
     "csignal": {"app"},
-    "ctime": {"devices", "net"},
+    "ctime": {"devices", "net", "bench"},
     "thread": {"net", "sim", "app", "bench"},
     "future": set(),
     "random": {"sim", "bench"},

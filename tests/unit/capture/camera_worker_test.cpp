@@ -53,6 +53,22 @@ TEST(CameraWorkerTest, TheDetectorGetsTheNewestForecast) {
   EXPECT_EQ(bench.observations()[0].forecast_used, 12U);
 }
 
+TEST(CameraWorkerTest, TheDetectorGetsEachPictureWithItsNumber) {
+  const auto flat = [](int, int) { return 90; };
+  WorkerBench bench(
+      {Script{ScriptedFrame{7, 1}, ScriptedFrame{9, 0, test::jpeg_of({test::kScriptedSize, flat, flat, flat}, {})}}});
+  bench.run();
+  EXPECT_EQ(bench.numbers_seen, (std::vector<std::uint32_t>{7, 9}));
+}
+
+TEST(CameraWorkerTest, ADetectorThatDidNotLookEverywhereSaysSo) {
+  WorkerBench bench({Script{ScriptedFrame{1, 1}}});
+  bench.looked_at = Coverage::kRegions;
+  bench.run();
+  ASSERT_EQ(bench.observations().size(), 1U);
+  EXPECT_EQ(bench.observations()[0].coverage, Coverage::kRegions);
+}
+
 TEST(CameraWorkerTest, MjpegIsDecodedForTheDetector) {
   const auto flat = [](int, int) { return 90; };
   WorkerBench bench({Script{ScriptedFrame{1, 0, test::jpeg_of({test::kScriptedSize, flat, flat, flat}, {})}}});

@@ -86,7 +86,9 @@ Result<std::unique_ptr<Camera>> WorkerBench::open() {
 Observation WorkerBench::detect(const Picture& picture, const Forecast& known) {
   forecasts_seen.push_back(known.number);
   luma_seen.push_back(picture.luma.at(0, 0));
+  numbers_seen.push_back(picture.frame);
   Observation observation;
+  observation.coverage = looked_at;
   observation.forecast_used = known.number;
   ImagePoint point;
   point.at = spot;

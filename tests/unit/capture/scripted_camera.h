@@ -55,8 +55,10 @@ class WorkerBench {
   SiftPoints sift;       ///< what is believed of what the detector finds; none: all
   Latest<Forecast> forecast;
   std::vector<std::uint64_t> forecasts_seen;
-  std::vector<int> luma_seen;  ///< of pixel (0, 0), by the detector
-  RawPixel spot{3.5, 4.5};     ///< that the detector finds in every picture
+  std::vector<int> luma_seen;                  ///< of pixel (0, 0), by the detector
+  std::vector<std::uint32_t> numbers_seen;     ///< of pictures
+  RawPixel spot{3.5, 4.5};                     ///< that the detector finds in every picture
+  Coverage looked_at = Coverage::kWholeFrame;  ///< of every picture that it is given
 
  private:
   Result<std::unique_ptr<Camera>> open();

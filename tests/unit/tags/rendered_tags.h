@@ -30,7 +30,7 @@ inline SimulationSettings tagged_settings() {
   settings.scene.white_level = 0.9;
   settings.format = PixelFormat::kGrey;
   for (std::size_t i = 0; i < kRenderedIds.size(); ++i) {
-    const Result<TagCells> cells = tag_print("tag36h11", kRenderedIds[i]);
+    const Result<tripoint::TagCells> cells = tag_print("tag36h11", kRenderedIds[i]);
     EXPECT_TRUE(cells) << cells.error().message;
     settings.scene.tags.push_back({.id = kRenderedIds[i],
                                    .cells = *cells,

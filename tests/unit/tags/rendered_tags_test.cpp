@@ -13,6 +13,7 @@
 #include "drawn_tag.h"
 #include "line/line.h"
 #include "tags/tag_points.h"
+#include "tags/tag_tracker.h"
 
 namespace tripoint {
 namespace {
@@ -146,16 +147,20 @@ LineModel model_of(const SimulationSettings& settings) {
   return model;
 }
 
-Observation observed(TagDetector& detector, const RenderedFrame& rendered, std::uint32_t number) {
+Observation observed(TagTracker& tracker, const RenderedFrame& rendered, std::uint32_t number) {
   Observation seen;
   seen.side = rendered.truth.side;
   seen.frame = number;
   seen.exposed = rendered.truth.exposed;
   seen.arrived = seen.exposed + std::chrono::milliseconds{40};
   seen.line_time = rendered.line_time;
-  const TagPoints found = points_of(detector.detect(picture_of(frame_of(rendered))), test::kRenderedIds);
+  Picture picture = picture_of(frame_of(rendered));
+  picture.frame = number;
+  const SeenTags& tags = tracker.see(picture);
+  const TagPoints found = points_of(tags, test::kRenderedIds);
   seen.points = found.points;
   seen.health = found.health;
+  seen.coverage = tags.coverage;
   return seen;
 }
 
@@ -169,15 +174,19 @@ TEST(RenderedTagsTest, TheLineFindsThePoseOfTheRenderedTarget) {
                          }};
   const SimulatedWorld world = world_of(settings);
   PerSide<FrameRenderer> renderers{{world, Side::kLeft}, {world, Side::kRight}};
-  TagDetector detector = *TagDetector::open({});
+  PerSide<TagTracker> trackers{*TagTracker::open({}), *TagTracker::open({})};
   Line line(std::make_shared<const LineModel>(model_of(settings)));
   std::optional<Measurement> last;
-  for (std::uint32_t frame = 0; frame < 6; ++frame) {
+  int followed = 0;
+  for (std::uint32_t frame = 0; frame < 8; ++frame) {
     for (const Side side : kBothSides) {
       const RenderedFrame& rendered = renderers[side].render(duration_from_seconds(1.0 + frame / 30.0), frame);
-      if (const auto verdict = line.step(observed(detector, rendered, frame))) last = verdict;
+      const Observation seen = observed(trackers[side], rendered, frame);
+      followed += seen.coverage == Coverage::kRegions ? 1 : 0;
+      if (const auto verdict = line.step(seen)) last = verdict;
     }
   }
+  EXPECT_GE(followed, 8);  // of 16, four of them decoded by their number
   ASSERT_TRUE(last);
   EXPECT_EQ(last->faults.bits(), 0);
   ASSERT_TRUE(last->pose && last->pose->output_from_target);
