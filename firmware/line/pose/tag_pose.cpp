@@ -16,8 +16,12 @@
 namespace tripoint {
 namespace {
 
-constexpr double kRunnerUp = 10.0;      // chi-square, as between LEDs that are alike
-constexpr double kLeastWidth = 0.1;     // of a triangle's length, as target files are asked for
+constexpr double kRunnerUp = 10.0;  // chi-square, as between LEDs that are alike
+// Chi-square: what is stated as excluded by 5.5 deviations must be by 5.1.
+constexpr double kExcluded = 30.0;
+constexpr double kAlsoLikely = 26.0;
+constexpr std::array<double, 2> kToOtherTilt{0.5, 1.0};  // where else a target is looked at
+constexpr double kLeastWidth = 0.1;                      // of a triangle's length, as target files are asked for
 constexpr double kSameTurn_rad = 1e-4;  // both starts came to one pose: far below any noise, far above the fit's end
 
 using Located = FixedVector<LocatedPoint, kMaxImagePoints>;
@@ -125,6 +129,38 @@ Tilts tilts_of(std::span<const LocatedPoint> corners, const LineModel& model) {
   return {best, rival, {}};
 }
 
+/// Turned by a share of the way to another pose, about the place that both have in common.
+Isometry3 turned_towards(const Isometry3& from, const Isometry3& to, const Vec3& middle_in_target_mm, double share) {
+  const Eigen::AngleAxisd turn(to.linear() * from.linear().transpose());
+  Isometry3 pose = Isometry3::Identity();
+  pose.linear() = Eigen::AngleAxisd(share * turn.angle(), turn.axis()) * from.linear();
+  pose.translation() = from * middle_in_target_mm - pose.linear() * middle_in_target_mm;
+  return pose;
+}
+
+Vec3 middle_of(std::span<const LocatedPoint> corners) {
+  Vec3 middle_mm = Vec3::Zero();
+  for (const LocatedPoint& corner : corners) middle_mm += corner.of.in_target_mm / static_cast<double>(corners.size());
+  return middle_mm;
+}
+
+/// Between two tilts that nearly run into one the valley of likely poses is wider than a covariance says: half the way
+/// to the other tilt, or there, a pose is nearly as likely as the best, and stated as excluded.
+bool states_too_little(const BodyPose& pose, const WholeFit& best, std::span<const LocatedPoint> corners,
+                       const LineModel& model) {
+  const Isometry3 other = other_tilt(corners, best.rig_from_target);
+  const Matrix3 stated_rad2 = (pose.in_output.noise + pose.in_output.shared).bottomRightCorner<3, 3>();
+  const Eigen::LLT<Matrix3> stated(stated_rad2);
+  return std::any_of(kToOtherTilt.begin(), kToOtherTilt.end(), [&](double share) {
+    const Isometry3 there = turned_towards(best.rig_from_target, other, middle_of(corners), share);
+    const Eigen::AngleAxisd turn(there.linear() * pose.rig_from_target.linear().transpose());
+    const Vec3 turn_rad = model.output_from_rig.linear() * (turn.angle() * turn.axis());
+    if (turn_rad.dot(stated.solve(turn_rad)) < kExcluded) return false;
+    const Result<double> chi2 = whole_chi2(corners, model, there);
+    return chi2 && *chi2 - best.chi2 < kAlsoLikely;
+  });
+}
+
 /// The fit of `pose_of_body` starts at the likelier tilt, and must stay there.
 Solved solved_by_corners(std::span<const LocatedPoint> corners, const LineModel& model) {
   const Tilts tilts = tilts_of(corners, model);
@@ -137,7 +173,8 @@ Solved solved_by_corners(std::span<const LocatedPoint> corners, const LineModel&
   const bool gone = away_rad > reach_of_tilt_rad(best, other_tilt(corners, best), turn_covariance_rad2);
   const bool gone_over =
       tilts.rival && turn_between_rad(tilts.rival->rig_from_target, pose->rig_from_target) < away_rad;
-  if (gone || gone_over) return {std::nullopt, {Fault::kAmbiguous}};
+  if (gone || gone_over || states_too_little(*pose, tilts.best, corners, model))
+    return {std::nullopt, {Fault::kAmbiguous}};
   return {*pose, {}};
 }
 

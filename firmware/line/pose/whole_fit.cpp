@@ -169,6 +169,12 @@ Result<WholeFit> whole_fit(Points points, const LineModel& model, const Isometry
   return failure(ErrorCode::kNoConvergence);
 }
 
+Result<double> whole_chi2(Points points, const LineModel& model, const Isometry3& rig_from_target) {
+  const Result<Weights> weights = weights_of(points, model);
+  if (!weights) return tl::make_unexpected(weights.error());
+  return normal_at(rig_from_target, *weights, model.rig).map([](const Normal& normal) { return normal.chi2; });
+}
+
 double most_chi2(std::size_t points) {
   const double freedom = 4.0 * static_cast<double>(points) - 6.0;
   const double spread = 2.0 / (9.0 * freedom);

@@ -27,6 +27,12 @@ struct WholeFit {
 ///         kDegenerate     a covariance is not positive definite, or the points do not determine a pose
 Result<WholeFit> whole_fit(std::span<const LocatedPoint> points, const LineModel& model, const Isometry3& start);
 
+/// That chi-square at a pose where nothing was fitted, what all points share at its best.
+///
+/// @return kBehindCamera, kDegenerate  likewise
+Result<double> whole_chi2(std::span<const LocatedPoint> points, const LineModel& model,
+                          const Isometry3& rig_from_target);
+
 /// The chi-square that the noise of `points` points exceeds once in 1,000 times, within 1 %.
 ///
 /// Source: Wilson & Hilferty 1931, "The distribution of chi-square".
