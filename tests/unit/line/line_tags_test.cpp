@@ -19,6 +19,7 @@ using testing::kSigma_px;
 using testing::kViews;
 using testing::picture;
 using testing::seen;
+using testing::Shown;
 using testing::tag_model;
 using testing::tilted;
 using testing::verdicts;
