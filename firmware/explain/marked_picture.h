@@ -45,6 +45,6 @@ struct MarkLabel {
 /// The first ones get their room first; a line leads from a mark to a label that lies far from it.
 ///
 /// @return how many found no room
-int write_labels(Canvas& canvas, std::span<const MarkLabel> labels);
+int write_labels(Canvas& canvas, std::span<const MarkLabel> all);
 
 }  // namespace tripoint

@@ -98,8 +98,9 @@ RgbImage pixels_around(const RgbImage& picture, const SeenTag& tag) {
   Canvas canvas(plain_image({kSide_px, kSide_px}, kOutside));
   canvas.place(reduced_by > 1 ? reduced(cut, reduced_by) : enlarged(cut, enlarged_by), 0, 0);
   const double scale = static_cast<double>(enlarged_by) / reduced_by;
+  const int middle_px = cut_px / 2;
   draw_tag(canvas, tag, [&](RawPixel place) {
-    return shown_at({place.u_px - center.u_px + cut_px / 2, place.v_px - center.v_px + cut_px / 2}, scale);
+    return shown_at({place.u_px - center.u_px + middle_px, place.v_px - center.v_px + middle_px}, scale);
   });
   return canvas.image();
 }
