@@ -55,7 +55,7 @@ Result<LocatedPoint> located_corner(const Pair& pair, std::size_t corner, const 
 Result<LocatedPoint> located_led(const Pair& pair, const Aligned& seen, const LineModel& model) {
   const auto& points = model.target.points;
   const auto same = [&](const TargetPoint& point) { return point.id == pair.id; };
-  const auto found = std::find_if(points.begin(), points.end(), same);
+  const auto* const found = std::find_if(points.begin(), points.end(), same);
   if (found == points.end()) return failure(ErrorCode::kMismatch);
   Result<LocatedPoint> at = located(pair, *found, seen, model);
   if (at) at->index = static_cast<std::size_t>(found - points.begin());
