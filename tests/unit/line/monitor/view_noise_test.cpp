@@ -71,11 +71,11 @@ TEST(ViewNoiseTest, AParkedTargetWhoseSpotsErrAsStatedRaisesNoAlarm) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal(0.0, kSpot_px);
   int alarms = 0;
-  for (std::uint64_t parked = 0; parked < 1000; ++parked) {
+  for (std::uint64_t parked = 0; parked < 100; ++parked) {
     const LineModel model = watched_model();
     Decalibration decalibration;
     decalibration.watch(model);
-    Aligned seen = bench::as_seen(view_by(default_rig(), 1 + parked % 50), kSpot_px);
+    Aligned seen = bench::as_seen(view_by(default_rig(), 1 + parked), kSpot_px);
     for (const Side side : kBothSides) {
       for (AlignedPoint& point : seen.points[side]) {
         point.seen.at.u_px += normal(random);
@@ -83,7 +83,7 @@ TEST(ViewNoiseTest, AParkedTargetWhoseSpotsErrAsStatedRaisesNoAlarm) {
       }
     }
     seen.at = TimePoint{} + std::chrono::seconds(100);
-    for (int i = 0; i < 45; ++i) {
+    for (int i = 0; i < 40; ++i) {
       seen.at += std::chrono::milliseconds(33);
       const Pairs pairs = match(seen, model);
       decalibration.learn(seen, pairs, pose_of_target(seen, pairs, model), model);
