@@ -50,7 +50,8 @@ std::string wrong_tag(const PrintedTag& tag) {
   if (cells.across < 1 || cells.total < cells.across || cells.total > kMostTagCells) {
     return "tags: their cells must be 1 to " + std::to_string(kMostTagCells) + " across";
   }
-  if (cells.light.size() != static_cast<std::size_t>(cells.total * cells.total)) {
+  const auto total = static_cast<std::size_t>(cells.total);
+  if (cells.light.size() != total * total) {
     return "tags: their cells must fill a square";
   }
   return {};
