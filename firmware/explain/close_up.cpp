@@ -85,20 +85,9 @@ std::string place_of(const Finding& finding) {
 }  // namespace
 
 RgbImage close_up_of(const RgbImage& picture, const Finding& finding, const DetectorSettings& settings) {
-  constexpr double kFirstLine_px = 18.0;
-  constexpr double kLine_px = 17.0;
-  Canvas canvas(kCloseUpSize, kGround);
-  canvas.place(pixels_around(picture, finding), 0, 0);
-  const Colour colour = colour_of(finding);
-  canvas.fill({0.0, kSide_px, kSide_px - 1.0, kSide_px + 1.0}, colour, 1.0);
-  const auto write = [&](const std::string& text, double down_px, const Type& type) {
-    canvas.write(fitting_text(text, type, kSide_px), {0.0, kSide_px + 2.0 + down_px}, type);
-  };
-  write(fmt::format("{} {}", finding.number, cause_in_words(finding.candidate.cause)), kFirstLine_px,
-        {colour, kMedium_px, true});
-  write(why(finding.candidate, settings, picture.size.width_px), kFirstLine_px + kLine_px, {kText, kSmall_px});
-  write(place_of(finding), kFirstLine_px + 2.0 * kLine_px, {kFaint, kSmall_px});
-  return canvas.image();
+  return close_up_with(pixels_around(picture, finding), colour_of(finding),
+                       {fmt::format("{} {}", finding.number, cause_in_words(finding.candidate.cause)),
+                        why(finding.candidate, settings, picture.size.width_px), place_of(finding)});
 }
 
 }  // namespace tripoint

@@ -35,6 +35,22 @@ void place_close_ups(Canvas& canvas, std::span<const RgbImage> close_ups, const 
 
 }  // namespace
 
+RgbImage close_up_with(const RgbImage& pixels, Colour colour, const std::array<std::string, 3>& lines) {
+  constexpr double kFirstLine_px = 18.0;
+  constexpr double kLine_px = 17.0;
+  constexpr int kSide_px = kCloseUpSize.width_px;
+  const std::array<Type, 3> types{Type{colour, kMedium_px, true}, Type{kText, kSmall_px}, Type{kFaint, kSmall_px}};
+  Canvas canvas(kCloseUpSize, kGround);
+  canvas.place(pixels, 0, 0);
+  canvas.fill({0.0, kSide_px, kSide_px - 1.0, kSide_px + 1.0}, colour, 1.0);
+  double base_px = kSide_px + 2.0 + kFirstLine_px;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    canvas.write(fitting_text(lines[i], types[i], kSide_px), {0.0, base_px}, types[i]);
+    base_px += kLine_px;
+  }
+  return canvas.image();
+}
+
 RgbImage sheet_of(const Heading& heading, const RgbImage& picture, std::span<const RgbImage> close_ups) {
   const int content_px = std::max(kLeastWidth_px, picture.size.width_px);
   const RgbImage head = heading_of(heading, content_px + 2 * kMargin_px);

@@ -106,22 +106,11 @@ RgbImage pixels_around(const RgbImage& picture, const SeenTag& tag) {
 }
 
 RgbImage close_up_of(const RgbImage& picture, const SeenTag& tag, double min_margin) {
-  constexpr double kFirstLine_px = 18.0;
-  constexpr double kLine_px = 17.0;
-  Canvas canvas(kCloseUpSize, kGround);
-  canvas.place(pixels_around(picture, tag), 0, 0);
-  const Colour colour = colour_of(tag);
-  canvas.fill({0.0, kSide_px, kSide_px - 1.0, kSide_px + 1.0}, colour, 1.0);
-  const auto write = [&](const std::string& text, int line, const Type& type) {
-    canvas.write(fitting_text(text, type, kSide_px), {0.0, kSide_px + 2.0 + kFirstLine_px + line * kLine_px}, type);
-  };
-  write(fmt::format("{} {}", tag.decoded.id, in_words(tag.outline.cause)), 0, {colour, kMedium_px, true});
-  write(why(tag, min_margin), 1, {kText, kSmall_px});
   const int mended = tag.decoded.corrected_bits;
-  write(fmt::format("{:.0f} px, margin {:.0f}{}", shortest_edge_px(tag), tag.decoded.margin,
-                    mended > 0 ? fmt::format(", {} mended", mended) : ""),
-        2, {kFaint, kSmall_px});
-  return canvas.image();
+  return close_up_with(pixels_around(picture, tag), colour_of(tag),
+                       {fmt::format("{} {}", tag.decoded.id, in_words(tag.outline.cause)), why(tag, min_margin),
+                        fmt::format("{:.0f} px, margin {:.0f}{}", shortest_edge_px(tag), tag.decoded.margin,
+                                    mended > 0 ? fmt::format(", {} mended", mended) : "")});
 }
 
 /// "2 unsure bits, 1 crooked edge"
